@@ -1,0 +1,28 @@
+// The one list of recoverable problems: what was skipped or approximated, for which object, how often.
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace gg {
+
+struct Message {
+    std::string object;
+    std::string text;
+    std::uint32_t count = 1;
+};
+
+// Thread-safe. Equal (object, text) pairs are counted, not repeated.
+class Messages {
+  public:
+    void add(const std::string& object, const std::string& text, std::uint32_t count = 1);
+    [[nodiscard]] std::vector<Message> all() const;
+
+  private:
+    mutable std::mutex mutex_;
+    std::vector<Message> messages_;
+};
+
+}  // namespace gg

@@ -1,0 +1,65 @@
+// Numbers that look random but are functions of (stable id, sample, dimension) alone.
+#pragma once
+
+#include <cstdint>
+
+#include "core/vec.h"
+
+namespace gg {
+
+// Finaliser of SplitMix64 [Steele et al. 2014]: every output bit depends on every input bit.
+[[nodiscard]] constexpr std::uint64_t hash64(std::uint64_t x) {
+    x += 0x9e3779b97f4a7c15ULL;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+    return x ^ (x >> 31);
+}
+
+[[nodiscard]] constexpr std::uint64_t hash64(std::uint64_t a, std::uint64_t b) { return hash64(hash64(a) ^ b); }
+
+// [0, 1) from the upper 24 bits.
+[[nodiscard]] constexpr float unit_float(std::uint64_t bits) { return static_cast<float>(bits >> 40) * 0x1p-24F; }
+
+// Additive recurrences with the plastic numbers of 1, 2 and 4 dimensions: every prefix is evenly spread and all
+// one-dimensional projections are distinct [Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"].
+// `seed` shifts the whole sequence on the torus.
+struct Sequence4 {
+    explicit Sequence4(std::uint64_t seed)
+        : state{static_cast<std::uint32_t>(hash64(seed) >> 32), static_cast<std::uint32_t>(hash64(seed)),
+                static_cast<std::uint32_t>(hash64(seed, 1) >> 32), static_cast<std::uint32_t>(hash64(seed, 1))} {}
+
+    // Sample `index`, dimension 0..3, in [0, 1).
+    [[nodiscard]] float operator()(std::uint32_t index, int dimension) const {
+        constexpr std::uint32_t kStep[4] = {3679390609U, 3152041523U, 2700274805U, 2313257605U};  // 2^32 / phi_4^(d+1)
+        return static_cast<float>((state[dimension] + (index + 1) * kStep[dimension]) >> 8) * 0x1p-24F;
+    }
+
+    std::uint32_t state[4];
+};
+
+// Uniform point of the unit disk from the unit square, low distortion [Shirley and Chiu 1997].
+[[nodiscard]] inline Vec2 square_to_disk(float u, float v) {
+    const float a = 2 * u - 1;
+    const float b = 2 * v - 1;
+    if (a == 0 && b == 0) {
+        return {0, 0};
+    }
+    const bool wide = std::abs(a) > std::abs(b);
+    const float radius = wide ? a : b;
+    const float angle = wide ? (kPi / 4) * (b / a) : (kPi / 2) - (kPi / 4) * (a / b);
+    return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+// Uniform barycentric weights (of corners 0, 1, 2) from the unit square, low distortion [Heitz 2019].
+[[nodiscard]] inline Vec3 square_to_triangle(float u, float v) {
+    if (v > u) {
+        u *= 0.5F;
+        v -= u;
+    } else {
+        v *= 0.5F;
+        u -= v;
+    }
+    return {1 - u - v, u, v};
+}
+
+}  // namespace gg
