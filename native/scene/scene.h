@@ -75,7 +75,9 @@ struct Scene {
         return list.empty() ? kNone : list[std::min(slot, list.size() - 1)];
     }
     [[nodiscard]] Sides sides_of(std::uint32_t instance, std::uint32_t triangle) const {
-        return instances[instance].encloses ? Sides::kBoth : meshes[instances[instance].mesh].sides[triangle];
+        // A solid that is inside out is more likely a room than a mistake: its faces look inwards on purpose.
+        const Sides sides = meshes[instances[instance].mesh].sides[triangle];
+        return instances[instance].encloses || sides == Sides::kBack ? Sides::kBoth : sides;
     }
 };
 

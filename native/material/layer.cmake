@@ -1,0 +1,1 @@
+gg_layer(material SOURCES surface_color.cpp LINKS gg_scene gg_image)

@@ -1,0 +1,141 @@
+#include "radiosity/faces.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/parallel.h"
+#include "gridgather.h"
+#include "material/surface_color.h"
+
+namespace gg {
+
+namespace {
+
+constexpr std::uint32_t kTrianglesPerLeaf = 8;
+constexpr std::uint32_t kInstancesPerLeaf = 1;
+
+MeshFaces make_mesh_faces(const Mesh& mesh, const Control& control) {
+    std::vector<Box> boxes(mesh.triangles.size());
+    parallel_for(boxes.size(), 4096, control, [&](std::size_t t) {
+        for (const std::uint32_t vertex : mesh.triangles[t]) {
+            boxes[t].extend(mesh.positions[vertex]);
+        }
+    });
+    MeshFaces faces{build_cluster_tree(boxes, kTrianglesPerLeaf, control), {}, {}};
+    faces.rank.resize(boxes.size());
+    faces.area_prefix.resize(boxes.size() + 1);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const TriangleCorners& t = mesh.triangles[faces.tree.order[i]];
+        const Vec3 a = mesh.positions[t[0]];
+        const float area = 0.5F * length(cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a));
+        faces.area_prefix[i + 1] = faces.area_prefix[i] + area;
+        faces.rank[faces.tree.order[i]] = static_cast<std::uint32_t>(i);
+    }
+    return faces;
+}
+
+FaceColors make_face_colors(const Scene& scene, std::uint32_t instance, const MeshFaces& faces,
+                            const SurfaceColors& colors, const Control& control) {
+    const Mesh& mesh = scene.meshes[scene.instances[instance].mesh];
+    const std::size_t count = mesh.triangles.size();
+    FaceColors result;
+    result.reflectance.resize(count);
+    std::vector<Rgb> emission(count);
+    parallel_for(count, 1024, control, [&](std::size_t t) {
+        const std::uint32_t material = scene.material_of(instance, static_cast<std::uint32_t>(t));
+        const Vec2 zero(0.0F);
+        const Vec2* uv = mesh.uvs.empty() ? nullptr : &mesh.uvs[3 * t];
+        const Vec2 a = uv ? uv[0] : zero, b = uv ? uv[1] : zero, c = uv ? uv[2] : zero;
+        result.reflectance[t] = colors.mean_reflectance(material, a, b, c);
+        emission[t] = colors.emits(material) ? colors.mean_emission(material, a, b, c) : Rgb(0.0F);
+    });
+    glm::dvec3 reflected(0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+        reflected += (faces.area_prefix[i + 1] - faces.area_prefix[i]) *
+                     glm::dvec3(result.reflectance[faces.tree.order[i]]);
+    }
+    result.mean_reflectance = Rgb(reflected / std::max(faces.area_prefix.back(), 1e-300));
+    if (std::any_of(emission.begin(), emission.end(), [](Rgb e) { return luminance(e) > 0; })) {
+        result.emission_prefix.resize(count + 1);
+        for (std::size_t i = 0; i < count; ++i) {
+            const double area = faces.area_prefix[i + 1] - faces.area_prefix[i];
+            result.emission_prefix[i + 1] =
+                result.emission_prefix[i] + area * luminance(emission[faces.tree.order[i]]);
+        }
+        result.emission = std::move(emission);
+    }
+    return result;
+}
+
+}  // namespace
+
+SceneFaces make_scene_faces(const Scene& scene, const SurfaceColors& colors, const Control& control) {
+    SceneFaces faces;
+    faces.meshes.resize(scene.meshes.size());
+    faces.instance_colors.resize(scene.instances.size());
+    faces.instance_area.resize(scene.instances.size());
+
+    std::vector<std::uint32_t> used;  // meshes that light reaches
+    std::vector<std::uint32_t> first_user;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> color_ids;
+    std::vector<bool> seen(scene.meshes.size());
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+        const Instance& instance = scene.instances[i];
+        if (instance.flags & GG_HIDDEN_FROM_LIGHT) {
+            continue;
+        }
+        faces.instance_ids.push_back(i);
+        if (!seen[instance.mesh]) {
+            seen[instance.mesh] = true;
+            used.push_back(instance.mesh);
+        }
+        const auto [entry, is_new] = color_ids.try_emplace({instance.mesh, instance.materials},
+                                                           static_cast<std::uint32_t>(first_user.size()));
+        if (is_new) {
+            first_user.push_back(i);
+        }
+        faces.instance_colors[i] = entry->second;
+    }
+    parallel_for(used.size(), 1, control,
+                 [&](std::size_t i) { faces.meshes[used[i]] = make_mesh_faces(scene.meshes[used[i]], control); });
+    faces.colors.resize(first_user.size());
+    parallel_for(first_user.size(), 1, control, [&](std::size_t i) {
+        const std::uint32_t instance = first_user[i];
+        faces.colors[i] =
+            make_face_colors(scene, instance, faces.meshes[scene.instances[instance].mesh], colors, control);
+    });
+    parallel_for(faces.instance_ids.size(), 1, control, [&](std::size_t i) {
+        const std::uint32_t instance = faces.instance_ids[i];
+        const std::size_t count = scene.meshes[scene.instances[instance].mesh].triangles.size();
+        double area = 0;
+        for (std::uint32_t t = 0; t < count; ++t) {
+            area += length(world_area_vector(scene, instance, t));
+        }
+        faces.instance_area[instance] = static_cast<float>(area);
+    });
+    if (!faces.instance_ids.empty()) {
+        std::vector<Box> boxes;
+        boxes.reserve(faces.instance_ids.size());
+        for (const std::uint32_t instance : faces.instance_ids) {
+            boxes.push_back(scene.instances[instance].bounds);
+        }
+        faces.instances = build_cluster_tree(boxes, kInstancesPerLeaf, control);
+        faces.instance_prefix.resize(boxes.size() + 1);
+        faces.instance_rank.resize(scene.instances.size());
+        for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+            const std::uint32_t instance = faces.instance_ids[faces.instances.order[i]];
+            faces.instance_prefix[i + 1] = faces.instance_prefix[i] + faces.instance_area[instance];
+            faces.instance_rank[instance] = i;
+        }
+    }
+    return faces;
+}
+
+std::uint32_t sample_prefix(const std::vector<double>& prefix, std::uint32_t begin, std::uint32_t end, float u) {
+    const double target = prefix[begin] + u * (prefix[end] - prefix[begin]);
+    const auto first = prefix.begin() + begin + 1;
+    const auto found = std::upper_bound(first, prefix.begin() + end, target);
+    return static_cast<std::uint32_t>(found - first) + begin;
+}
+
+}  // namespace gg

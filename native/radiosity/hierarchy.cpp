@@ -1,0 +1,313 @@
+#include "radiosity/hierarchy.h"
+
+#include <algorithm>
+
+#include "core/parallel.h"
+#include "core/random.h"
+#include "material/surface_color.h"
+#include "transport/emitter_sampling.h"
+
+namespace gg {
+
+namespace {
+
+constexpr std::uint64_t kGeometrySeed = 0x67656f6d, kLampSeed = 0x6c616d70, kSkySeed = 0x736b79;
+
+void set_bounds(Node& node, const Box& box) {
+    node.corner[0] = box.lower;
+    node.corner[1] = box.upper;
+    node.center = box.center();
+    node.radius = 0.5F * box.diameter();
+}
+
+void set_triangle(Node& node) {
+    const Vec3* c = node.corner;
+    node.center = (c[0] + c[1] + c[2]) / 3.0F;
+    node.radius = std::sqrt(std::max({length_squared(c[0] - node.center), length_squared(c[1] - node.center),
+                                      length_squared(c[2] - node.center)}));
+}
+
+int lit_sides(Sides sides) { return sides == Sides::kBoth ? 2 : 1; }
+
+}  // namespace
+
+SkyCell sky_cell_of(const Node& node) {
+    return {node.depth, static_cast<std::uint8_t>(node.back), static_cast<std::uint16_t>(node.source >> 16),
+            static_cast<std::uint16_t>(node.source & 0xFFFF)};
+}
+
+Hierarchy::Hierarchy(const Scene& scene, const SurfaceColors& colors, SceneFaces faces)
+    : scene_(scene), colors_(colors), faces_(std::move(faces)) {
+    if (has_geometry()) {
+        nodes_.push_back(make_instances(0, kNone));
+    } else {
+        nodes_.emplace_back();
+    }
+    nodes_[0].stable_id = hash64(kGeometrySeed);
+    for (std::uint32_t lamp = 0; lamp < scene.lamps.size(); ++lamp) {
+        senders_.push_back(static_cast<NodeId>(nodes_.size()));
+        nodes_.push_back(make_lamp(lamp));
+    }
+    if (luminance(scene.world) > 0) {
+        for (const SkyCell root : sky_roots()) {
+            for (const SkyCell cell : children(root)) {
+                senders_.push_back(static_cast<NodeId>(nodes_.size()));
+                nodes_.push_back(make_sky(cell, kNone, hash64(kSkySeed, senders_.back())));
+            }
+        }
+    }
+    generations_ = {0, static_cast<NodeId>(nodes_.size())};
+}
+
+Node Hierarchy::make_instances(std::uint32_t tree_node, NodeId parent) const {
+    const ClusterTree::Node& range = faces_.instances.nodes[tree_node];
+    if (parent != kNone && range.end == range.begin + 1) {
+        return make_cluster(faces_.instance_ids[faces_.instances.order[range.begin]], 0, parent);
+    }
+    Node node;
+    node.kind = NodeKind::kInstances;
+    node.parent = parent;
+    node.source = tree_node;
+    set_bounds(node, range.bounds);
+    glm::dvec3 reflected(0.0), emitted(0.0);
+    double area = 0;
+    std::uint64_t ids = 0;
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
+        const std::uint32_t instance = faces_.instance_ids[faces_.instances.order[i]];
+        const Node cluster = make_cluster(instance, 0, parent);
+        area += cluster.area;
+        reflected += static_cast<double>(cluster.area) * glm::dvec3(cluster.reflectance);
+        emitted += static_cast<double>(cluster.area) * glm::dvec3(cluster.emission);
+        ids += hash64(scene_.instances[instance].stable_id);
+    }
+    node.area = static_cast<float>(area);
+    node.reflectance = Rgb(reflected / std::max(area, 1e-300));
+    node.emission = Rgb(emitted / std::max(area, 1e-300));
+    node.stable_id = hash64(ids, kGeometrySeed);
+    return node;
+}
+
+Node Hierarchy::make_cluster(std::uint32_t instance, std::uint32_t tree_node, NodeId parent) const {
+    const Instance& placed = scene_.instances[instance];
+    const MeshFaces& mesh = faces_.meshes[placed.mesh];
+    const FaceColors& colors = faces_.colors[faces_.instance_colors[instance]];
+    const ClusterTree::Node& range = mesh.tree.nodes[tree_node];
+    if (tree_node == 0 && range.end == range.begin) {
+        return {};
+    }
+    Node node;
+    node.kind = NodeKind::kCluster;
+    node.parent = parent;
+    node.instance = instance;
+    node.source = tree_node;
+    set_bounds(node, tree_node == 0 ? placed.bounds : transformed(range.bounds, placed.to_world));
+    const double mesh_area = mesh.area_prefix[range.end] - mesh.area_prefix[range.begin];
+    const double share = mesh_area / std::max(mesh.area_prefix.back(), 1e-300);
+    const Sides sides = scene_.sides_of(instance, mesh.tree.order[range.begin]);
+    node.area = static_cast<float>(share * lit_sides(sides)) * faces_.instance_area[instance];
+    node.reflectance = colors.mean_reflectance;
+    if (!colors.emission_prefix.empty() && mesh_area > 0) {
+        const double emitted = colors.emission_prefix[range.end] - colors.emission_prefix[range.begin];
+        node.emission = Rgb(static_cast<float>(kPi * emitted / mesh_area));
+    }
+    node.stable_id = hash64(placed.stable_id, tree_node);
+    return node;
+}
+
+Node Hierarchy::make_element(std::uint32_t instance, std::uint32_t triangle, bool back, NodeId parent) const {
+    const FaceColors& colors = faces_.colors[faces_.instance_colors[instance]];
+    Node node;
+    node.kind = NodeKind::kElement;
+    node.back = back;
+    node.parent = parent;
+    node.instance = instance;
+    node.source = triangle;
+    const auto corners = world_triangle(scene_, instance, triangle);
+    std::copy(corners.begin(), corners.end(), node.corner);
+    node.weights[1] = {1, 0};
+    node.weights[2] = {0, 1};
+    set_triangle(node);
+    const Vec3 area = world_area_vector(scene_, instance, triangle);
+    node.area = length(area);
+    node.normal = normalize_or_zero(back ? -area : area);
+    node.reflectance = colors.reflectance[triangle];
+    if (!colors.emission.empty()) {
+        node.emission = kPi * colors.emission[triangle];
+    }
+    node.stable_id = hash64(hash64(scene_.instances[instance].stable_id, triangle), back ? 2 : 1);
+    return node;
+}
+
+// Quarter 0..2 keeps corner 0..2 in its place, quarter 3 is the middle one:
+//
+//        2
+//       / \          each quarter has the parent's orientation
+//      /_2_\         and a quarter of its area
+//     / \3/ \        .
+//    /_0_V_1_\       .
+//   0         1
+Node Hierarchy::make_quarter(NodeId parent, int quarter) const {
+    const Node& whole = nodes_[parent];
+    Node node = whole;
+    node.parent = parent;
+    node.child_count = 0;
+    node.first_child = 0;
+    node.depth = static_cast<std::uint8_t>(whole.depth + 1);
+    node.area = 0.25F * whole.area;
+    node.stable_id = hash64(whole.stable_id, 3 + quarter);
+    for (int k = 0; k < 3; ++k) {
+        const int other = quarter == 3 ? (k + 1) % 3 : quarter;
+        const int self = quarter == 3 ? (k + 2) % 3 : k;
+        node.corner[k] = 0.5F * (whole.corner[self] + whole.corner[other]);
+        node.weights[k] = 0.5F * (whole.weights[self] + whole.weights[other]);
+    }
+    set_triangle(node);
+    const std::uint32_t material = scene_.material_of(whole.instance, whole.source);
+    const Mesh& mesh = scene_.meshes[scene_.instances[whole.instance].mesh];
+    if (colors_.is_textured(material) && !mesh.uvs.empty()) {
+        const Vec2* uv = &mesh.uvs[3 * static_cast<std::size_t>(whole.source)];
+        Vec2 at[3];
+        for (int k = 0; k < 3; ++k) {
+            at[k] = uv[0] + node.weights[k].x * (uv[1] - uv[0]) + node.weights[k].y * (uv[2] - uv[0]);
+        }
+        node.reflectance = colors_.mean_reflectance(material, at[0], at[1], at[2]);
+        if (colors_.emits(material)) {
+            node.emission = kPi * colors_.mean_emission(material, at[0], at[1], at[2]);
+        }
+    }
+    return node;
+}
+
+// Radiosity of a lamp is what times a form factor gives irradiance: pi L of a surface, the intensity of a point (its
+// form factor is 1 / d^2), the irradiance of a distant lamp (its form factor is the cosine).
+Node Hierarchy::make_lamp(std::uint32_t lamp) const {
+    const Lamp& source = scene_.lamps[lamp];
+    Node node;
+    node.kind = NodeKind::kLamp;
+    node.source = lamp;
+    node.center = source.shape == LampShape::kDistant ? -source.direction : source.position;
+    node.radius = source.shape == LampShape::kSphere ? source.radius
+                                                     : std::sqrt(length_squared(source.half_x) +
+                                                                 length_squared(source.half_y));
+    node.emission = source.shape == LampShape::kDistant ? source.irradiance
+                    : source.shape == LampShape::kPoint ? source.radiance
+                                                        : kPi * source.radiance;
+    node.stable_id = hash64(kLampSeed, source.stable_id);
+    return node;
+}
+
+Node Hierarchy::make_sky(SkyCell cell, NodeId parent, std::uint64_t stable_id) const {
+    Node node;
+    node.kind = NodeKind::kSky;
+    node.back = cell.face != 0;
+    node.depth = cell.level;
+    node.parent = parent;
+    node.source = static_cast<std::uint32_t>(cell.i) << 16 | cell.j;
+    node.center = cell_direction(cell, 0.5F, 0.5F);
+    node.area = cell_solid_angle(cell);
+    node.radius = std::sqrt(node.area / kPi);
+    node.emission = kPi * scene_.world;
+    node.stable_id = stable_id;
+    return node;
+}
+
+void Hierarchy::list_item_children(NodeId id, std::vector<Node>& children) const {
+    const Node& node = nodes_[id];
+    const ClusterTree::Node& range = tree_node(node);
+    const ClusterTree& tree = node.kind == NodeKind::kInstances
+                                  ? faces_.instances
+                                  : faces_.meshes[scene_.instances[node.instance].mesh].tree;
+    const auto add_triangle = [&](std::uint32_t triangle) {
+        const Sides sides = scene_.sides_of(node.instance, triangle);
+        for (const bool back : {false, true}) {
+            if (sides == Sides::kBoth || back == (sides == Sides::kBack)) {
+                children.push_back(make_element(node.instance, triangle, back, id));
+            }
+        }
+    };
+    for (std::uint32_t child = range.first_child; child < range.first_child + range.child_count; ++child) {
+        const ClusterTree::Node& part = tree.nodes[child];
+        if (node.kind == NodeKind::kInstances) {
+            children.push_back(make_instances(child, id));
+        } else if (part.end == part.begin + 1) {
+            add_triangle(tree.order[part.begin]);
+        } else {
+            children.push_back(make_cluster(node.instance, child, id));
+        }
+    }
+    for (std::uint32_t i = range.begin; i < range.direct_end; ++i) {
+        if (node.kind == NodeKind::kInstances) {
+            children.push_back(make_cluster(faces_.instance_ids[tree.order[i]], 0, id));
+        } else {
+            add_triangle(tree.order[i]);
+        }
+    }
+}
+
+void Hierarchy::list_children(NodeId id, std::vector<Node>& out) const {
+    const Node& node = nodes_[id];
+    switch (node.kind) {
+        case NodeKind::kInstances:
+        case NodeKind::kCluster:
+            list_item_children(id, out);
+            break;
+        case NodeKind::kElement:
+            for (int quarter = 0; quarter < 4; ++quarter) {
+                out.push_back(make_quarter(id, quarter));
+            }
+            break;
+        case NodeKind::kLamp:
+            break;
+        case NodeKind::kSky:
+            for (const SkyCell cell : children(sky_cell_of(node))) {
+                out.push_back(make_sky(cell, id, hash64(node.stable_id, out.size())));
+            }
+            break;
+    }
+}
+
+void Hierarchy::open(std::span<const NodeId> leaves, const Control& control) {
+    if (leaves.empty()) {
+        return;
+    }
+    constexpr std::size_t kBlock = 64;
+    std::vector<std::vector<Node>> made((leaves.size() + kBlock - 1) / kBlock);
+    std::vector<std::uint32_t> counts(leaves.size());
+    parallel_blocks(leaves.size(), kBlock, control, [&](std::size_t begin, std::size_t end) {
+        std::vector<Node>& block = made[begin / kBlock];
+        for (std::size_t i = begin; i < end; ++i) {
+            std::vector<Node> children;
+            list_children(leaves[i], children);
+            counts[i] = static_cast<std::uint32_t>(children.size());
+            block.insert(block.end(), children.begin(), children.end());
+        }
+    });
+    auto next = static_cast<NodeId>(nodes_.size());
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        nodes_[leaves[i]].first_child = next;
+        nodes_[leaves[i]].child_count = counts[i];
+        next += counts[i];
+    }
+    if (next > nodes_.capacity()) {
+        nodes_.reserve(std::max<std::size_t>(next, nodes_.capacity() * 3 / 2));
+    }
+    for (const auto& block : made) {
+        nodes_.insert(nodes_.end(), block.begin(), block.end());
+    }
+    generations_.push_back(next);
+}
+
+bool Hierarchy::contains(const Node& cluster, std::uint32_t instance, std::uint32_t triangle) const {
+    const ClusterTree::Node& range = tree_node(cluster);
+    if (cluster.kind == NodeKind::kCluster) {
+        if (instance != cluster.instance) {
+            return false;
+        }
+        const std::uint32_t rank = faces_.meshes[scene_.instances[instance].mesh].rank[triangle];
+        return range.begin <= rank && rank < range.end;
+    }
+    const std::uint32_t rank = faces_.instance_rank[instance];
+    return range.begin <= rank && rank < range.end;
+}
+
+}  // namespace gg

@@ -1,0 +1,341 @@
+#include "radiosity/interpolation.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/parallel.h"
+#include "gridgather.h"
+
+namespace gg {
+
+namespace {
+
+using Corners = std::array<std::uint32_t, 3>;
+
+std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
+    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
+}
+
+std::uint32_t find_midpoint(const InstanceVertices& vertices, std::uint32_t a, std::uint32_t b) {
+    const auto found = vertices.midpoints.find(edge_key(a, b));
+    return found == vertices.midpoints.end() ? kNone : found->second;
+}
+
+// Corners of the quarter of a triangle whose edges have midpoints opposite[k] (opposite corner k); as make_quarter.
+Corners quarter_corners(const Corners& corners, const Corners& opposite, int quarter) {
+    switch (quarter) {
+        case 0:
+            return {corners[0], opposite[2], opposite[1]};
+        case 1:
+            return {opposite[2], corners[1], opposite[0]};
+        case 2:
+            return {opposite[1], opposite[0], corners[2]};
+        default:
+            return {opposite[0], opposite[1], opposite[2]};
+    }
+}
+
+Corners opposite_midpoints(const InstanceVertices& vertices, const Corners& c) {
+    return {find_midpoint(vertices, c[1], c[2]), find_midpoint(vertices, c[2], c[0]), find_midpoint(vertices, c[0], c[1])};
+}
+
+// A triangle of the picture: vertices, and their places in the whole (weights of corners 1 and 2).
+struct Piece {
+    Corners vertices;
+    std::array<Vec2, 3> places;
+};
+
+Piece whole_piece(const Corners& corners) { return {corners, {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}}; }
+
+// Splits a leaf at the midpoints that its neighbours put on its edges. Returns the number of parts, 1 when none did.
+// The pattern depends on the piece alone, so both users of it (averaging, look-up) see the same triangles.
+int split_at_t_vertices(const InstanceVertices& vertices, const Piece& piece, std::array<Piece, 4>& parts) {
+    const Corners middle = opposite_midpoints(vertices, piece.vertices);
+    const auto place = [&](int k) { return 0.5F * (piece.places[(k + 1) % 3] + piece.places[(k + 2) % 3]); };
+    const int count = static_cast<int>(std::count_if(middle.begin(), middle.end(), [](auto m) { return m != kNone; }));
+    if (count == 0) {
+        return 1;
+    }
+    const auto corner = [&](int k) { return std::pair{piece.vertices[k % 3], piece.places[k % 3]}; };
+    const auto mid = [&](int k) { return std::pair{middle[k % 3], place(k % 3)}; };
+    const auto make = [](auto a, auto b, auto c) {
+        return Piece{{a.first, b.first, c.first}, {a.second, b.second, c.second}};
+    };
+    if (count == 3) {
+        parts = {make(corner(0), mid(2), mid(1)), make(mid(2), corner(1), mid(0)), make(mid(1), mid(0), corner(2)),
+                 make(mid(0), mid(1), mid(2))};
+        return 4;
+    }
+    if (count == 1) {
+        const int k = middle[0] != kNone ? 0 : (middle[1] != kNone ? 1 : 2);
+        parts[0] = make(corner(k), corner(k + 1), mid(k));
+        parts[1] = make(corner(k), mid(k), corner(k + 2));
+        return 2;
+    }
+    const int k = middle[0] == kNone ? 0 : (middle[1] == kNone ? 1 : 2);  // the edge opposite k is whole
+    parts[0] = make(corner(k), mid(k + 2), mid(k + 1));
+    parts[1] = make(mid(k + 2), corner(k + 1), mid(k + 1));
+    parts[2] = make(corner(k + 1), corner(k + 2), mid(k + 1));
+    return 3;
+}
+
+class VertexBuilder {
+  public:
+    VertexBuilder(Solution& solution, std::uint32_t instance, InstanceVertices& out)
+        : solution_(solution),
+          mesh_(solution.hierarchy.scene().meshes[solution.hierarchy.scene().instances[instance].mesh]),
+          instance_(instance),
+          out_(out) {}
+
+    void add_elements(std::span<const NodeId> roots) {
+        if (roots.empty()) {
+            return;
+        }
+        const auto& nodes = solution_.hierarchy.nodes();
+        for (const NodeId root : roots) {
+            auto& table = nodes[root].back ? out_.back_element : out_.front_element;
+            table.resize(mesh_.triangles.size(), kNone);
+            table[nodes[root].source] = root;
+            make_midpoints(root, mesh_.shading_vertices[nodes[root].source]);
+        }
+    }
+
+    void average(std::span<const NodeId> roots, std::span<const NodeId> leaf_clusters) {
+        const std::size_t count = mesh_.normals.size() + out_.midpoints.size();
+        for (auto& side : sums_) {
+            side.assign(count, Rgb(0.0F));
+        }
+        for (auto& side : weights_) {
+            side.assign(count, 0.0F);
+        }
+        for (const NodeId root : roots) {
+            const auto& node = solution_.hierarchy[root];
+            add_leaves(root, whole_piece(mesh_.shading_vertices[node.source]));
+        }
+        for (const NodeId cluster : leaf_clusters) {
+            add_cluster(cluster);
+        }
+        store(0, out_.front);
+        store(1, out_.back);
+    }
+
+  private:
+    void make_midpoints(NodeId id, const Corners& corners) {
+        const Node& node = solution_.hierarchy[id];
+        if (node.child_count == 0) {
+            return;
+        }
+        Corners opposite;
+        for (int k = 0; k < 3; ++k) {
+            const auto next = static_cast<std::uint32_t>(mesh_.normals.size() + out_.midpoints.size());
+            opposite[k] =
+                out_.midpoints.try_emplace(edge_key(corners[(k + 1) % 3], corners[(k + 2) % 3]), next).first->second;
+        }
+        for (int quarter = 0; quarter < 4; ++quarter) {
+            make_midpoints(node.first_child + quarter, quarter_corners(corners, opposite, quarter));
+        }
+    }
+
+    void add_leaves(NodeId id, const Piece& piece) {
+        const Node& node = solution_.hierarchy[id];
+        std::array<Piece, 4> parts;
+        const int count = split_at_t_vertices(out_, piece, parts);
+        if (node.child_count == 0) {
+            solution_.element_vertices[id] = {piece.vertices, count > 1};
+            add_piece(whole_piece(piece.vertices), node.back, solution_.lighting.corner_irradiance(id));
+            return;
+        }
+        for (int quarter = 0; quarter < 4; ++quarter) {
+            add_leaves(node.first_child + quarter, parts[quarter]);
+        }
+    }
+
+    void add_piece(const Piece& piece, bool back, const std::array<Rgb, 3>& corners) {
+        std::array<Piece, 4> parts;
+        const int count = split_at_t_vertices(out_, piece, parts);
+        if (count == 1) {
+            for (int k = 0; k < 3; ++k) {
+                const Vec2 w = piece.places[k];
+                sums_[back][piece.vertices[k]] += (1 - w.x - w.y) * corners[0] + w.x * corners[1] + w.y * corners[2];
+                weights_[back][piece.vertices[k]] += 1;
+            }
+            return;
+        }
+        for (int i = 0; i < count; ++i) {
+            add_piece(parts[i], back, corners);
+        }
+    }
+
+    // Faces that stayed in a cluster: the cluster's light on the shading normals of their corners.
+    void add_cluster(NodeId cluster) {
+        const Hierarchy& hierarchy = solution_.hierarchy;
+        const Scene& scene = hierarchy.scene();
+        const DirectionalForm& light = solution_.lighting.received(cluster);
+        const Mat3& to_world = scene.instances[instance_].normal_to_world;
+        const auto add = [&](std::uint32_t, std::uint32_t triangle) {
+            const Sides sides = scene.sides_of(instance_, triangle);
+            for (const std::uint32_t vertex : mesh_.shading_vertices[triangle]) {
+                const Vec3 normal = normalize_or_zero(to_world * mesh_.normals[vertex]);
+                for (const bool back : {false, true}) {
+                    if (sides == Sides::kBoth || back == (sides == Sides::kBack)) {
+                        sums_[back][vertex] += evaluate_clamped(light, back ? -normal : normal);
+                        weights_[back][vertex] += 1;
+                    }
+                }
+            }
+        };
+        if (hierarchy[cluster].kind == NodeKind::kCluster) {
+            hierarchy.for_each_triangle(hierarchy[cluster], add);
+        } else {
+            for (std::uint32_t triangle = 0; triangle < mesh_.triangles.size(); ++triangle) {
+                add(instance_, triangle);
+            }
+        }
+    }
+
+    void store(int side, std::vector<Rgb>& values) {
+        if (std::none_of(weights_[side].begin(), weights_[side].end(), [](float w) { return w > 0; })) {
+            return;
+        }
+        values.resize(sums_[side].size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            values[i] = sums_[side][i] / std::max(weights_[side][i], 1.0F);
+        }
+    }
+
+    Solution& solution_;
+    const Mesh& mesh_;
+    std::uint32_t instance_;
+    InstanceVertices& out_;
+    std::array<std::vector<Rgb>, 2> sums_;
+    std::array<std::vector<float>, 2> weights_;
+};
+
+struct InstanceParts {
+    std::vector<NodeId> element_roots, leaf_clusters;
+};
+
+std::vector<InstanceParts> parts_of_instances(const Hierarchy& hierarchy) {
+    std::vector<InstanceParts> parts(hierarchy.scene().instances.size());
+    const auto& nodes = hierarchy.nodes();
+    for (NodeId id = 0; id < nodes.size(); ++id) {
+        const Node& node = nodes[id];
+        if (node.kind == NodeKind::kElement && node.depth == 0) {
+            parts[node.instance].element_roots.push_back(id);
+        } else if (is_cluster(node) && node.child_count == 0 && hierarchy.has_geometry()) {
+            if (node.kind == NodeKind::kCluster) {
+                parts[node.instance].leaf_clusters.push_back(id);
+                continue;
+            }
+            const ClusterTree::Node& range = hierarchy.tree_node(node);
+            for (std::uint32_t i = range.begin; i < range.end; ++i) {
+                const std::uint32_t item = hierarchy.faces().instances.order[i];
+                parts[hierarchy.faces().instance_ids[item]].leaf_clusters.push_back(id);
+            }
+        }
+    }
+    return parts;
+}
+
+int quarter_at(Vec2 place) {
+    if (place.x >= 0.5F) {
+        return 1;
+    }
+    if (place.y >= 0.5F) {
+        return 2;
+    }
+    return place.x + place.y <= 0.5F ? 0 : 3;
+}
+
+// The same point in the quarter's own coordinates.
+Vec2 place_in_quarter(Vec2 place, int quarter) {
+    switch (quarter) {
+        case 0:
+            return 2.0F * place;
+        case 1:
+            return {2 * place.x - 1, 2 * place.y};
+        case 2:
+            return {2 * place.x, 2 * place.y - 1};
+        default:
+            return {1 - 2 * place.x, 1 - 2 * place.y};
+    }
+}
+
+Rgb blend(const std::vector<Rgb>& values, const Corners& vertices, Vec2 place) {
+    return (1 - place.x - place.y) * values[vertices[0]] + place.x * values[vertices[1]] + place.y * values[vertices[2]];
+}
+
+// Weights of the corners of a piece at a place, as (w1, w2).
+Vec2 weights_in(const Piece& piece, Vec2 place) {
+    const Vec2 e1 = piece.places[1] - piece.places[0];
+    const Vec2 e2 = piece.places[2] - piece.places[0];
+    const Vec2 p = place - piece.places[0];
+    const float determinant = e1.x * e2.y - e1.y * e2.x;
+    return Vec2(p.x * e2.y - p.y * e2.x, e1.x * p.y - e1.y * p.x) / determinant;
+}
+
+Rgb look_up_piece(const InstanceVertices& vertices, const std::vector<Rgb>& values, Piece piece, Vec2 place) {
+    std::array<Piece, 4> parts;
+    for (;;) {
+        const int count = split_at_t_vertices(vertices, piece, parts);
+        if (count == 1) {
+            return blend(values, piece.vertices, weights_in(piece, place));
+        }
+        int best = 0;
+        float best_inside = -kInfinity;
+        for (int i = 0; i < count; ++i) {
+            const Vec2 w = weights_in(parts[i], place);
+            const float inside = std::min({w.x, w.y, 1 - w.x - w.y});
+            if (inside > best_inside) {
+                best_inside = inside;
+                best = i;
+            }
+        }
+        piece = parts[best];
+    }
+}
+
+}  // namespace
+
+void interpolate_to_vertices(Solution& solution, const Control& control) {
+    const auto parts = parts_of_instances(solution.hierarchy);
+    solution.vertices.resize(parts.size());
+    solution.element_vertices.resize(solution.hierarchy.nodes().size());
+    parallel_for(parts.size(), 1, control, [&](std::size_t i) {
+        const auto instance = static_cast<std::uint32_t>(i);
+        if (solution.hierarchy.scene().instances[instance].flags & GG_HIDDEN_FROM_LIGHT) {
+            return;
+        }
+        VertexBuilder builder(solution, instance, solution.vertices[i]);
+        builder.add_elements(parts[i].element_roots);
+        builder.average(parts[i].element_roots, parts[i].leaf_clusters);
+    });
+}
+
+Rgb interpolated_irradiance(const Solution& solution, std::uint32_t instance, std::uint32_t triangle, bool back,
+                            Vec2 barycentric) {
+    const InstanceVertices& vertices = solution.vertices[instance];
+    const std::vector<Rgb>& values = back ? vertices.back : vertices.front;
+    if (values.empty()) {
+        return Rgb(0.0F);
+    }
+    const std::vector<NodeId>& table = back ? vertices.back_element : vertices.front_element;
+    NodeId id = table.empty() ? kNone : table[triangle];
+    if (id == kNone) {
+        const Scene& scene = solution.hierarchy.scene();
+        const Corners& corners = scene.meshes[scene.instances[instance].mesh].shading_vertices[triangle];
+        return vertices.midpoints.empty() ? blend(values, corners, barycentric)
+                                          : look_up_piece(vertices, values, whole_piece(corners), barycentric);
+    }
+    Vec2 place = barycentric;
+    while (solution.hierarchy[id].child_count > 0) {
+        const int quarter = quarter_at(place);
+        place = place_in_quarter(place, quarter);
+        id = solution.hierarchy[id].first_child + quarter;
+    }
+    const ElementVertices& leaf = solution.element_vertices[id];
+    return leaf.has_t_vertices ? look_up_piece(vertices, values, whole_piece(leaf.vertices), place)
+                               : blend(values, leaf.vertices, place);
+}
+
+}  // namespace gg

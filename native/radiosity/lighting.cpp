@@ -1,0 +1,295 @@
+#include "radiosity/lighting.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/control.h"
+#include "core/parallel.h"
+
+namespace gg {
+
+namespace {
+
+constexpr std::size_t kBlock = 64;
+
+void add_shown(std::array<float, kFormSize>& shown, float area, Vec3 normal) {
+    const auto beam = beam_coefficients(normal);
+    for (std::size_t i = 0; i < kFormSize; ++i) {
+        shown[i] += area * beam[i];
+    }
+}
+
+LeafCluster make_leaf_cluster(const Hierarchy& hierarchy, const Node& node) {
+    const Scene& scene = hierarchy.scene();
+    const SceneFaces& faces = hierarchy.faces();
+    LeafCluster leaf;
+    hierarchy.for_each_triangle(node, [&](std::uint32_t instance, std::uint32_t triangle) {
+        const FaceColors& colors = faces.colors[faces.instance_colors[instance]];
+        const Vec3 area_vector = world_area_vector(scene, instance, triangle);
+        const float area = length(area_vector);
+        if (!(area > 0)) {
+            return;
+        }
+        const Vec3 normal = area_vector / area;
+        const Sides sides = scene.sides_of(instance, triangle);
+        for (const bool back : {false, true}) {
+            if (sides != Sides::kBoth && back != (sides == Sides::kBack)) {
+                continue;
+            }
+            const Vec3 outward = back ? -normal : normal;
+            leaf.area += area;
+            add_shown(leaf.shown, area, outward);
+            leaf.reflect.add_face(outward, area, colors.reflectance[triangle]);
+            if (!colors.emission.empty() && max_component(colors.emission[triangle]) > 0) {
+                add_face(leaf.emission, colors.emission[triangle] * area, outward);
+                leaf.emitted_power += kPi * area * colors.emission[triangle];
+            }
+        }
+    });
+    return leaf;
+}
+
+}  // namespace
+
+Lighting::Lighting(const Hierarchy& hierarchy) : hierarchy_(hierarchy) {}
+
+void Lighting::grow(const Control& control) {
+    const auto& nodes = hierarchy_.nodes();
+    const std::size_t old = radiosity_.size();
+    radiosity_.resize(nodes.size());
+    irradiance_.resize(nodes.size(), Rgb(0.0F));
+    area_.resize(nodes.size());
+    slot_.resize(nodes.size(), kNone);
+    leaf_slot_.resize(nodes.size(), kNone);
+    for (std::size_t id = old; id < nodes.size(); ++id) {
+        const Node& node = nodes[id];
+        if (node.parent != kNone && is_surface(node)) {
+            irradiance_[id] = irradiance_[node.parent];
+        }
+        radiosity_[id] = node.emission + node.reflectance * irradiance_[id];
+        area_[id] = node.area;
+        if (is_cluster(node)) {
+            slot_[id] = static_cast<std::uint32_t>(received_.size());
+            received_.emplace_back();
+            intensity_.emplace_back();
+            shown_.emplace_back();
+        } else if (node.kind == NodeKind::kElement) {
+            slot_[id] = static_cast<std::uint32_t>(corners_.size());
+            corners_.push_back({irradiance_[id], irradiance_[id], irradiance_[id]});
+        }
+    }
+    control.check_cancel();
+}
+
+void Lighting::set_links(std::span<const Link> links) {
+    links_ = links;
+    link_begin_.assign(hierarchy_.nodes().size() + 1, 0);
+    for (const Link& link : links) {
+        ++link_begin_[link.receiver + 1];
+    }
+    for (std::size_t i = 1; i < link_begin_.size(); ++i) {
+        link_begin_[i] += link_begin_[i - 1];
+    }
+    link_order_.resize(links.size());
+    std::vector<std::uint32_t> next(link_begin_.begin(), link_begin_.end() - 1);
+    for (std::uint32_t i = 0; i < links.size(); ++i) {
+        link_order_[next[links[i].receiver]++] = i;
+    }
+}
+
+void Lighting::make_leaf_clusters(const Control& control) {
+    const auto& nodes = hierarchy_.nodes();
+    std::vector<NodeId> missing;
+    for (NodeId id = 0; id < nodes.size(); ++id) {
+        if (!is_cluster(nodes[id]) || (id == kGeometryRoot && !hierarchy_.has_geometry())) {
+            continue;
+        }
+        if (nodes[id].child_count == 0 && leaf_slot_[id] == kNone) {
+            leaf_slot_[id] = static_cast<std::uint32_t>(leaves_.size() + missing.size());
+            missing.push_back(id);
+        } else if (nodes[id].child_count > 0 && leaf_slot_[id] != kNone) {
+            leaves_[leaf_slot_[id]] = {};
+            leaf_slot_[id] = kNone;
+        }
+    }
+    const std::size_t first = leaves_.size();
+    leaves_.resize(first + missing.size());
+    parallel_for(missing.size(), 4, control, [&](std::size_t i) {
+        leaves_[first + i] = make_leaf_cluster(hierarchy_, nodes[missing[i]]);
+        area_[missing[i]] = leaves_[first + i].area;
+    });
+}
+
+// Mean radiosity of the faces that a direction shows. A wall that is lit from one side has half of its brightness on
+// average, but all of it where it is seen from.
+Rgb Lighting::radiosity_towards(NodeId cluster, Vec3 direction) const {
+    const auto basis = form_basis(direction);
+    float shown = 0;
+    for (std::size_t i = 0; i < kFormSize; ++i) {
+        shown += shown_[slot_[cluster]][i] * basis[i];
+    }
+    const auto least = static_cast<float>(0.05 * area_[cluster]);
+    return kPi * evaluate_clamped(intensity_[slot_[cluster]], direction) / std::max({shown, least, 1e-30F});
+}
+
+void Lighting::gather(NodeId receiver) {
+    const auto& nodes = hierarchy_.nodes();
+    const Node& to = nodes[receiver];
+    std::array<Rgb, 3> corners{};
+    DirectionalForm form;
+    for (std::uint32_t i = link_begin_[receiver]; i < link_begin_[receiver + 1]; ++i) {
+        const Link& link = links_[link_order_[i]];
+        const Node& from = nodes[link.sender];
+        const float factor = link.form_factor * link.visibility;
+        if (!(factor > 0)) {
+            continue;
+        }
+        Rgb arriving;
+        if (link.near) {
+            const bool one_sided = to.kind != NodeKind::kElement && link.sender != receiver && link.shape != Vec3(0.0F);
+            arriving = factor * (one_sided ? radiosity_towards(link.sender, -link.shape) : radiosity_[link.sender]);
+        } else if (is_cluster(from)) {
+            const Vec3 towards = normalize_or_zero(to.center - from.center);
+            arriving = kPi * factor * evaluate_clamped(intensity_[slot_[link.sender]], towards);
+        } else {
+            arriving = factor * radiosity_[link.sender];
+        }
+        if (to.kind == NodeKind::kElement) {
+            for (int k = 0; k < 3; ++k) {
+                corners[k] += link.shape[k] * arriving;
+            }
+        } else if (link.near) {
+            form.coefficients[0] += arriving;
+        } else {
+            add_cone(form, arriving, link.shape);
+        }
+    }
+    if (to.kind == NodeKind::kElement) {
+        corners_[slot_[receiver]] = corners;
+    } else {
+        received_[slot_[receiver]] = form;
+    }
+}
+
+void Lighting::push(NodeId id) {
+    const auto& nodes = hierarchy_.nodes();
+    const Node& node = nodes[id];
+    if (node.parent == kNone || !is_surface(node)) {
+        return;
+    }
+    if (node.kind != NodeKind::kElement) {
+        received_[slot_[id]] += received_[slot_[node.parent]];
+        return;
+    }
+    std::array<Rgb, 3>& corners = corners_[slot_[id]];
+    if (nodes[node.parent].kind == NodeKind::kElement) {
+        const std::array<Rgb, 3>& whole = corners_[slot_[node.parent]];
+        const int quarter = static_cast<int>(id - nodes[node.parent].first_child);
+        for (int k = 0; k < 3; ++k) {  // as make_quarter in hierarchy.cpp
+            const int self = quarter == 3 ? (k + 2) % 3 : k;
+            const int other = quarter == 3 ? (k + 1) % 3 : quarter;
+            corners[k] += 0.5F * (whole[self] + whole[other]);
+        }
+    } else {
+        const Rgb irradiance = evaluate_clamped(received_[slot_[node.parent]], node.normal);
+        for (Rgb& corner : corners) {
+            corner += irradiance;
+        }
+    }
+    irradiance_[id] = (corners[0] + corners[1] + corners[2]) / 3.0F;
+}
+
+void Lighting::pull(NodeId id) {
+    const auto& nodes = hierarchy_.nodes();
+    const Node& node = nodes[id];
+    if (!is_surface(node)) {
+        radiosity_[id] = node.emission;
+        return;
+    }
+    if (node.child_count == 0) {
+        if (node.kind == NodeKind::kElement) {
+            radiosity_[id] = node.emission + node.reflectance * irradiance_[id];
+            return;
+        }
+        const LeafCluster& leaf = leaves_[leaf_slot_[id]];
+        const DirectionalForm& light = received_[slot_[id]];
+        intensity_[slot_[id]] = leaf.emission + leaf.reflect.apply(light);
+        shown_[slot_[id]] = leaf.shown;
+        const Rgb reflected = glm::max(leaf.reflect.reflected_power(light), Rgb(0.0F));
+        const auto inverse_area = static_cast<float>(1.0 / std::max(leaf.area, 1e-30));
+        radiosity_[id] = (leaf.emitted_power + reflected) * inverse_area;
+        irradiance_[id] = reflected * inverse_area / glm::max(node.reflectance, Rgb(1e-3F));
+        return;
+    }
+    glm::dvec3 power(0.0), arriving(0.0);
+    double area = 0;
+    DirectionalForm intensity;
+    std::array<float, kFormSize> shown{};
+    for (NodeId child = node.first_child; child < node.first_child + node.child_count; ++child) {
+        area += area_[child];
+        power += area_[child] * glm::dvec3(radiosity_[child]);
+        arriving += area_[child] * glm::dvec3(irradiance_[child]);
+        if (node.kind != NodeKind::kElement) {
+            if (is_cluster(nodes[child])) {
+                intensity += intensity_[slot_[child]];
+                for (std::size_t i = 0; i < kFormSize; ++i) {
+                    shown[i] += shown_[slot_[child]][i];
+                }
+            } else {
+                add_face(intensity, radiosity_[child] * (nodes[child].area / kPi), nodes[child].normal);
+                add_shown(shown, nodes[child].area, nodes[child].normal);
+            }
+        }
+    }
+    area_[id] = area;
+    radiosity_[id] = Rgb(power / std::max(area, 1e-300));
+    irradiance_[id] = Rgb(arriving / std::max(area, 1e-300));
+    if (node.kind != NodeKind::kElement) {
+        intensity_[slot_[id]] = intensity;
+        shown_[slot_[id]] = shown;
+    }
+}
+
+double Lighting::total_reflected_power() const {
+    double total = 0;
+    const auto& nodes = hierarchy_.nodes();
+    for (NodeId id = 0; id < nodes.size(); ++id) {
+        if (is_surface(nodes[id]) && nodes[id].child_count == 0) {
+            total += area_[id] * static_cast<double>(luminance(nodes[id].reflectance * irradiance_[id]));
+        }
+    }
+    return total;
+}
+
+double Lighting::iterate(const Control& control) {
+    if (!hierarchy_.has_geometry()) {
+        return 0;
+    }
+    make_leaf_clusters(control);
+    const auto generations = hierarchy_.generations();
+    const auto count = hierarchy_.nodes().size();
+    parallel_for(count, kBlock, control, [&](std::size_t id) {
+        if (is_surface(hierarchy_[static_cast<NodeId>(id)])) {
+            gather(static_cast<NodeId>(id));
+        }
+    });
+    for (std::size_t g = 0; g + 1 < generations.size(); ++g) {
+        parallel_for(generations[g + 1] - generations[g], kBlock, control,
+                     [&](std::size_t i) { push(static_cast<NodeId>(generations[g] + i)); });
+    }
+    for (std::size_t g = generations.size() - 1; g-- > 0;) {
+        parallel_for(generations[g + 1] - generations[g], kBlock, control,
+                     [&](std::size_t i) { pull(static_cast<NodeId>(generations[g] + i)); });
+    }
+    const double before = reflected_power_;
+    reflected_power_ = total_reflected_power();
+    return std::abs(reflected_power_ - before) / std::max(reflected_power_, 1e-300);
+}
+
+std::size_t Lighting::bytes() const {
+    return radiosity_.capacity() * (2 * sizeof(Rgb) + sizeof(double) + 2 * sizeof(std::uint32_t)) +
+           received_.capacity() * 2 * sizeof(DirectionalForm) + leaves_.capacity() * sizeof(LeafCluster) +
+           link_order_.capacity() * sizeof(std::uint32_t);
+}
+
+}  // namespace gg

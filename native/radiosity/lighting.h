@@ -1,0 +1,75 @@
+// The state of the light on an open hierarchy: gathering over links, pushing irradiance down, pulling radiosity up.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/vec.h"
+#include "radiosity/hierarchy.h"
+#include "radiosity/link.h"
+#include "transport/directional_form.h"
+
+namespace gg {
+
+class Control;
+
+// What a leaf cluster does with light, summed over its faces so that no iteration visits them.
+struct LeafCluster {
+    ReflectionOperator reflect;
+    DirectionalForm emission;   // W/sr
+    std::array<float, kFormSize> shown{};  // m2: area that faces a direction, as coefficients of form_basis
+    Rgb emitted_power{0.0F};    // W
+    double area = 0;            // m2, every lit side
+};
+
+class Lighting {
+  public:
+    explicit Lighting(const Hierarchy& hierarchy);
+
+    // Takes in nodes that were opened since: until light is gathered, a child has its parent's irradiance.
+    void grow(const Control& control);
+
+    // Sorts the links by receiver, keeping their order otherwise. They stay the caller's.
+    void set_links(std::span<const Link> links);
+
+    // One Jacobi iteration: gathers over the links, pushes, pulls. Returns the largest relative step: the change of the
+    // total reflected power over the power [0..].
+    double iterate(const Control& control);
+
+    // Means over the node's faces, W/m2. Lamps and sky have their emission as radiosity.
+    [[nodiscard]] Rgb radiosity(NodeId id) const { return radiosity_[id]; }
+    [[nodiscard]] Rgb irradiance(NodeId id) const { return irradiance_[id]; }
+    // Irradiance at an element's corners, linear in between, >= 0.
+    [[nodiscard]] const std::array<Rgb, 3>& corner_irradiance(NodeId element) const { return corners_[slot_[element]]; }
+    // All that arrives at a cluster from outside of its faces' own mesh level, as seen by its faces.
+    [[nodiscard]] const DirectionalForm& received(NodeId cluster) const { return received_[slot_[cluster]]; }
+    [[nodiscard]] const DirectionalForm& intensity(NodeId cluster) const { return intensity_[slot_[cluster]]; }
+    // Exact area once light was gathered, m2.
+    [[nodiscard]] double area(NodeId id) const { return area_[id]; }
+    [[nodiscard]] double reflected_power() const { return reflected_power_; }
+    [[nodiscard]] std::size_t bytes() const;
+
+  private:
+    void make_leaf_clusters(const Control& control);
+    void gather(NodeId receiver);
+    [[nodiscard]] Rgb radiosity_towards(NodeId cluster, Vec3 direction) const;
+    void push(NodeId id);
+    void pull(NodeId id);
+    [[nodiscard]] double total_reflected_power() const;
+
+    const Hierarchy& hierarchy_;
+    std::vector<Rgb> radiosity_, irradiance_;
+    std::vector<double> area_;
+    std::vector<std::uint32_t> slot_;  // cluster -> received_, intensity_; element -> corners_
+    std::vector<std::array<Rgb, 3>> corners_;  // irradiance at an element's corners
+    std::vector<DirectionalForm> received_, intensity_;
+    std::vector<std::array<float, kFormSize>> shown_;  // see LeafCluster
+    std::vector<std::uint32_t> leaf_slot_;  // leaf cluster -> leaves_, or kNone
+    std::vector<LeafCluster> leaves_;
+    std::span<const Link> links_;
+    std::vector<std::uint32_t> link_order_, link_begin_;
+    double reflected_power_ = 0;
+};
+
+}  // namespace gg

@@ -1,0 +1,456 @@
+#include "radiosity/link_estimate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/random.h"
+#include "radiosity/face_sampling.h"
+#include "trace/surface_point.h"
+#include "transport/emitter_sampling.h"
+#include "transport/form_factor.h"
+
+namespace gg {
+
+namespace {
+
+constexpr int kMaxRays = 64;
+constexpr int kPoints = 4;  // receiver points at which form factors are evaluated
+
+// Centroids of an element's quarters: the same for every sender, so that the form factors of senders that together
+// cover a hemisphere sum to exactly one.
+std::array<Vec3, kPoints> element_points(const Node& node) {
+    const Vec3* c = node.corner;
+    std::array<Vec3, kPoints> points;
+    for (int k = 0; k < 3; ++k) {
+        points[k] = (4.0F * c[k] + c[(k + 1) % 3] + c[(k + 2) % 3]) / 6.0F;
+    }
+    points[3] = node.center;
+    return points;
+}
+
+std::array<Vec3, kPoints> cluster_points(const Hierarchy& hierarchy, const Node& node) {
+    const Sequence4 sequence(node.stable_id);
+    std::array<Vec3, kPoints> points;
+    for (std::uint32_t k = 0; k < kPoints; ++k) {
+        points[k] = sample_face(hierarchy, node, sequence(k, 0), sequence(k, 1), sequence(k, 2)).position;
+    }
+    return points;
+}
+
+// A point of quarter k (numbered as in hierarchy.cpp) of an element.
+Vec3 point_in_quarter(const Node& node, int k, float u, float v) {
+    const Vec3 w = square_to_triangle(u, v);
+    const Vec3* c = node.corner;
+    const Vec3 inner = w.x * c[0] + w.y * c[1] + w.z * c[2];
+    return k == 3 ? 0.5F * (c[0] + c[1] + c[2] - inner) : 0.5F * (c[k] + inner);
+}
+
+bool in_front(Vec3 point, const Node& element) { return dot(point - element.corner[0], element.normal) > 0; }
+
+bool all_behind(const Node& node, const Node& element) {
+    if (node.kind == NodeKind::kElement) {
+        return !in_front(node.corner[0], element) && !in_front(node.corner[1], element) &&
+               !in_front(node.corner[2], element);
+    }
+    const Vec3 farthest(element.normal.x > 0 ? node.corner[1].x : node.corner[0].x,
+                        element.normal.y > 0 ? node.corner[1].y : node.corner[0].y,
+                        element.normal.z > 0 ? node.corner[1].z : node.corner[0].z);
+    return !in_front(farthest, element);
+}
+
+bool behind_lamp(const Node& receiver, const Lamp& lamp) {
+    if (lamp.shape != LampShape::kRectangle && lamp.shape != LampShape::kEllipse) {
+        return false;
+    }
+    return dot(receiver.center - lamp.position, lamp.direction) < -receiver.radius;
+}
+
+// Irradiance per unit of the sender's radiosity at point x, as a vector: for a facing plane, from unit `direction`.
+struct Arrival {
+    float factor = 0;
+    Vec3 direction{0.0F};
+    float solid_angle = 0;  // over pi: the factor if all of it came from `direction`
+};
+
+// The solid angle of a cone that gives a facing plane this form factor, over pi.
+float cone_over_pi(float factor) { return 2 * (1 - std::sqrt(1 - std::min(factor, 1.0F))); }
+
+Arrival from_lamp(const Lamp& lamp, const Node& sender, Vec3 x) {
+    const IrradianceVector vector = lamp_irradiance_vector(lamp, x);
+    const float factor = luminance(vector.irradiance) / luminance(sender.emission);
+    const bool has_area = lamp.shape != LampShape::kPoint && lamp.shape != LampShape::kDistant;
+    return {factor, vector.direction, has_area ? cone_over_pi(factor) : factor};
+}
+
+Arrival from_cluster(const Node& sender, Vec3 x) {
+    const Vec3 to_sender = sender.center - x;
+    // A quarter of its area is what a cluster shows on average; it bounds the kernel as in disk_kernel().
+    const float factor = 1.0F / (kPi * length_squared(to_sender) + 0.25F * sender.area);
+    return {factor, normalize_or_zero(to_sender), factor};
+}
+
+Arrival from_element(const Node& sender, Vec3 x) {
+    if (!in_front(x, sender)) {
+        return {};
+    }
+    const Vec3 vector = vector_form_factor(x, std::span<const Vec3>(sender.corner, 3));
+    const float factor = length(vector);
+    return factor > 0 ? Arrival{factor, vector / factor, cone_over_pi(factor)} : Arrival{};
+}
+
+Arrival from_sky(const Node& sender) {
+    constexpr int kGrid = 4;
+    const SkyCell cell = sky_cell_of(sender);
+    Vec3 sum(0.0F);
+    for (int k = 0; k < kGrid * kGrid; ++k) {
+        sum += cell_direction(cell, (static_cast<float>(k % kGrid) + 0.5F) / kGrid,
+                              (static_cast<float>(k / kGrid) + 0.5F) / kGrid);
+    }
+    const float mean = length(sum) / (kGrid * kGrid);
+    return {sender.area * mean / kPi, normalize_or_zero(sum), sender.area / kPi};
+}
+
+float sky_form_factor(const Node& sender, Vec3 normal) {
+    constexpr int kGrid = 4;
+    const SkyCell cell = sky_cell_of(sender);
+    float sum = 0;
+    for (int k = 0; k < kGrid * kGrid; ++k) {
+        sum += std::max(0.0F, dot(normal, cell_direction(cell, (static_cast<float>(k % kGrid) + 0.5F) / kGrid,
+                                                         (static_cast<float>(k / kGrid) + 0.5F) / kGrid)));
+    }
+    return cap_form_factor(sum / (kGrid * kGrid), sender.area);
+}
+
+Arrival arrival(const Hierarchy& hierarchy, const Node& sender, Vec3 x) {
+    switch (sender.kind) {
+        case NodeKind::kElement:
+            return from_element(sender, x);
+        case NodeKind::kLamp:
+            return from_lamp(hierarchy.scene().lamps[sender.source], sender, x);
+        case NodeKind::kSky:
+            return from_sky(sender);
+        default:
+            return from_cluster(sender, x);
+    }
+}
+
+float form_factor_at(const Hierarchy& hierarchy, const Node& receiver, const Node& sender, Vec3 x) {
+    if (sender.kind == NodeKind::kElement) {
+        return in_front(x, sender)
+                   ? point_to_triangle(x, receiver.normal, sender.corner[0], sender.corner[1], sender.corner[2])
+                   : 0.0F;
+    }
+    if (sender.kind == NodeKind::kSky) {
+        return sky_form_factor(sender, receiver.normal);
+    }
+    const Arrival light = arrival(hierarchy, sender, x);
+    return light.factor * std::max(0.0F, dot(receiver.normal, light.direction));
+}
+
+// The linear function over an element that fits its values at the centroids of the quarters best. Returns its error.
+float set_linear_shape(const std::array<float, kPoints>& f, Link& link) {
+    const float outer = (f[0] + f[1] + f[2]) / 3;
+    const float mean = 0.25F * (3 * outer + f[3]);
+    link.shape = Vec3(1.0F);
+    if (mean > 0) {
+        // The centroid of quarter k lies half as far from the middle as corner k.
+        const Vec3 corner = glm::max(mean + 2.0F * (Vec3(f[0], f[1], f[2]) - outer), Vec3(0.0F));
+        link.shape = corner * (3 / std::max(corner.x + corner.y + corner.z, 1e-30F));
+    }
+    const auto [least, most] = std::minmax_element(f.begin(), f.end());
+    constexpr float kUnseen = 0.1F;  // share of the whole variation that may hide between four points
+    return std::max(std::abs(f[3] - outer), kUnseen * (*most - *least));
+}
+
+// Fills form factor and direction at a cluster; returns how much both vary over the receiver.
+float set_cluster_form_factor(const Hierarchy& hierarchy, const Node& receiver, const Node& sender, Link& link) {
+    Vec3 sum(0.0F);
+    float least = kInfinity, most = 0, total = 0, solid_angle = 0;
+    for (const Vec3 x : cluster_points(hierarchy, receiver)) {
+        const Arrival light = arrival(hierarchy, sender, x);
+        sum += light.factor * light.direction;
+        total += light.factor;
+        solid_angle += light.solid_angle;
+        least = std::min(least, light.factor);
+        most = std::max(most, light.factor);
+    }
+    link.form_factor = solid_angle / kPoints;
+    link.shape = solid_angle > 0 ? sum / solid_angle : Vec3(0.0F);
+    return 0.5F * (most - least) + (total - length(sum)) / kPoints;
+}
+
+struct ShadowRays {
+    std::array<Ray, kMaxRays> rays;
+    std::array<float, kMaxRays> weights{};
+    std::array<float, kMaxRays> lengths{};  // m
+    std::array<std::uint8_t, kMaxRays> quarters{};
+    std::size_t count = 0;
+};
+
+// Adds the ray from a receiver's face to a point or direction of the sender, unless they do not face each other.
+void add_pair(const Hierarchy& hierarchy, const FacePoint& x, const Node& sender, Vec3 uvw, int quarter,
+              ShadowRays& out) {
+    const float u = uvw.x, v = uvw.y, w = uvw.z;
+    Vec3 target(0.0F), target_normal(0.0F);
+    float sender_weight = 1;
+    bool infinite = false;
+    if (sender.kind == NodeKind::kLamp) {
+        const LampSample sample = sample_lamp(hierarchy.scene().lamps[sender.source], x.position, v, w);
+        sender_weight = luminance(sample.normal_irradiance);
+        infinite = std::isinf(sample.distance);
+        target = infinite ? x.position + sample.direction : sample.point;
+    } else if (sender.kind == NodeKind::kSky) {
+        infinite = true;
+        target = x.position + cell_direction(sky_cell_of(sender), v, w);
+    } else {
+        const FacePoint y = sample_face(hierarchy, sender, u, v, w);
+        target = y.position;
+        target_normal = normal_towards(y, x.position);
+        const Vec3 d = x.position - target;
+        const float squared = length_squared(d);
+        const float cosine = dot(d, target_normal) / std::sqrt(std::max(squared, 1e-30F));
+        sender_weight = std::max(0.0F, cosine) / (squared + sender.area / (4 * kPi));
+    }
+    const Vec3 normal = normal_towards(x, target);
+    const Vec3 to_target = target - x.position;
+    const float distance = length(to_target);
+    const float weight = sender_weight * std::max(0.0F, dot(normal, to_target)) / std::max(distance, 1e-30F);
+    if (!(weight > 0)) {
+        return;
+    }
+    const Vec3 origin = offset_origin(x.position, normal, infinite ? 1.0F : distance);
+    const Vec3 end = infinite ? origin + to_target : offset_origin(target, target_normal, distance);
+    out.rays[out.count] = {origin, end - origin, 0.0F, infinite ? kInfinity : 1.0F - 1e-5F};
+    out.weights[out.count] = weight;
+    out.lengths[out.count] = distance;
+    out.quarters[out.count] = static_cast<std::uint8_t>(quarter);
+    ++out.count;
+}
+
+// Where the occluders of a partly visible sender are, seen from the receiver.
+void find_occluders(const RayTracer& tracer, const ShadowRays& pairs, const std::array<std::uint8_t, kMaxRays>& blocked,
+                    Link& link) {
+    float nearest = kInfinity;
+    for (std::size_t i = 0; i < pairs.count; ++i) {
+        if (!blocked[i]) {
+            continue;
+        }
+        const Ray& ray = pairs.rays[i];
+        const Hit first = tracer.closest_hit(ray, RayMask::kLight);
+        if (first.missed()) {
+            continue;
+        }
+        nearest = std::min(nearest, first.distance * pairs.lengths[i]);
+        float last = first.distance;
+        if (!std::isinf(ray.far)) {
+            const Hit reverse = tracer.closest_hit({ray.origin + ray.direction, -ray.direction, 0, ray.far}, RayMask::kLight);
+            last = reverse.missed() ? last : 1 - reverse.distance;
+        }
+        link.farthest_occluder = std::max(link.farthest_occluder, last * pairs.lengths[i]);
+    }
+    link.nearest_occluder = std::isinf(nearest) ? 0 : nearest;
+}
+
+// That no ray, or every ray, was blocked is no proof: the standard deviation of a share of which n samples said the same
+// is 1 / (n + 2) for a uniform prior; most pairs of a scene are simple, so half of it.
+constexpr float kUnproven = 0.5F;
+
+// Standard deviation of a share from `count` samples, uniform prior.
+float share_uncertainty(float share, std::size_t count) {
+    const auto n = static_cast<float>(count);
+    const float hits = share * n;
+    return std::sqrt((hits + 1) * (n - hits + 1) / ((n + 2) * (n + 2) * (n + 3)));
+}
+
+// What the shadow rays of a link saw, for the whole receiver and for the quarters of an element.
+struct Seen {
+    float visibility = 0;
+    std::array<float, kPoints> quarters{};
+    float sampling_error = 0;
+};
+
+ShadowRays make_shadow_rays(const Hierarchy& hierarchy, const Node& receiver, const Node& sender, int count) {
+    const Sequence4 at_receiver(hash64(receiver.stable_id, sender.stable_id));
+    const Sequence4 at_sender(hash64(sender.stable_id, ~receiver.stable_id));
+    ShadowRays pairs;
+    for (int k = 0; k < count; ++k) {
+        const auto i = static_cast<std::uint32_t>(k);
+        if (receiver.kind == NodeKind::kElement) {
+            // Quarters share the points on the sender: what differs between them is then more than noise.
+            const std::uint32_t j = i / kPoints;
+            const Vec3 x = point_in_quarter(receiver, k % kPoints, at_receiver(i, 0), at_receiver(i, 1));
+            add_pair(hierarchy, {x, receiver.normal, false}, sender,
+                     {at_sender(j, 2), at_sender(j, 0), at_sender(j, 1)}, k % kPoints, pairs);
+        } else {
+            add_pair(hierarchy, sample_face(hierarchy, receiver, at_receiver(i, 2), at_receiver(i, 0), at_receiver(i, 1)),
+                     sender, {at_sender(i, 2), at_sender(i, 0), at_sender(i, 1)}, 0, pairs);
+        }
+    }
+    return pairs;
+}
+
+// Sets the link's occluders.
+Seen trace_shadow_rays(const RayTracer& tracer, const ShadowRays& pairs, int count, Link& link) {
+    std::array<std::uint8_t, kMaxRays> blocked{};
+    tracer.occluded(std::span<const Ray>(pairs.rays.data(), pairs.count),
+                    std::span<std::uint8_t>(blocked.data(), pairs.count), RayMask::kLight, Coherence::kIncoherent);
+    std::array<float, kPoints> seen{}, total{};
+    for (std::size_t i = 0; i < pairs.count; ++i) {
+        total[pairs.quarters[i]] += pairs.weights[i];
+        seen[pairs.quarters[i]] += blocked[i] ? 0.0F : pairs.weights[i];
+    }
+    const float all_seen = seen[0] + seen[1] + seen[2] + seen[3];
+    const float all = total[0] + total[1] + total[2] + total[3];
+    Seen result;
+    result.visibility = all > 0 ? all_seen / all : 0.0F;
+    for (int k = 0; k < kPoints; ++k) {
+        result.quarters[k] = total[k] > 0 ? seen[k] / total[k] : result.visibility;
+    }
+    const auto n = static_cast<float>(count);
+    const bool mixed = result.visibility > 0 && result.visibility < 1;
+    if (mixed) {
+        find_occluders(tracer, pairs, blocked, link);
+        // Well-spread points converge faster than random ones; in two dimensions about as n^-3/4.
+        result.sampling_error = std::sqrt(result.visibility * (1 - result.visibility)) / std::pow(n, 0.75F);
+    } else {
+        // Pairs that do not face each other need no ray to be believed.
+        const float facing = static_cast<float>(std::max<std::size_t>(pairs.count, 1)) / n;
+        result.sampling_error = facing * kUnproven / (n + 2);
+    }
+    return result;
+}
+
+// Sender and receiver touch or are one: the share of the hemispheres above the receiver's faces that the sender fills.
+void estimate_near(const Hierarchy& hierarchy, const RayTracer& tracer, const Node& receiver, const Node& sender,
+                   int count, Link& link) {
+    const Sequence4 at_receiver(hash64(receiver.stable_id, sender.stable_id));
+    const Sequence4 of_direction(hash64(sender.stable_id, ~receiver.stable_id));
+    std::array<Ray, kMaxRays> rays;
+    std::array<Hit, kMaxRays> hits;
+    for (int k = 0; k < count; ++k) {
+        const auto i = static_cast<std::uint32_t>(k);
+        FacePoint x = sample_face(hierarchy, receiver, at_receiver(i, 2), at_receiver(i, 0), at_receiver(i, 1));
+        if (x.both_sides && of_direction(i, 2) < 0.5F) {
+            x.normal = -x.normal;
+        }
+        const Vec2 disk = square_to_disk(of_direction(i, 0), of_direction(i, 1));
+        const float z = std::sqrt(std::max(0.0F, 1 - dot(disk, disk)));
+        rays[k] = {offset_origin(x.position, x.normal, receiver.radius),
+                   Frame(x.normal).to_world({disk.x, disk.y, z}), 0, kInfinity};
+    }
+    const auto n = static_cast<std::size_t>(count);
+    tracer.closest_hits(std::span<const Ray>(rays.data(), n), std::span<Hit>(hits.data(), n), RayMask::kLight,
+                        Coherence::kIncoherent);
+    int found = 0;
+    Vec3 direction(0.0F);
+    for (std::size_t i = 0; i < n; ++i) {
+        if (!hits[i].missed() && hierarchy.contains(sender, hits[i].instance, hits[i].triangle)) {
+            ++found;
+            direction += rays[i].direction;
+        }
+    }
+    link.near = true;
+    link.shape = receiver.kind == NodeKind::kElement ? Vec3(1.0F) : normalize_or_zero(direction);
+    link.form_factor = static_cast<float>(found) / static_cast<float>(count);
+    link.visibility = found > 0 ? 1.0F : 0.0F;
+    constexpr float kVariation = 0.25F;  // between the receiver's faces, which all get the same
+    link.level_error = found > 0 ? share_uncertainty(link.form_factor, n) + kVariation * link.form_factor
+                                 : kUnproven / static_cast<float>(count + 2);
+}
+
+// Share by which the light of a spread-out cluster differs from that of its middle: second order in size over distance.
+float far_field_error(const Node& receiver, const Node& sender) {
+    const float distance = length(receiver.center - sender.center);
+    const float ratio = sender.radius / std::max(distance, sender.radius);
+    return 0.5F * ratio * ratio;
+}
+
+}  // namespace
+
+bool never_exchange(const Hierarchy& hierarchy, const Node& receiver, const Node& sender) {
+    if (receiver.kind == NodeKind::kElement && is_surface(sender) && all_behind(sender, receiver)) {
+        return true;
+    }
+    if (sender.kind == NodeKind::kElement && all_behind(receiver, sender)) {
+        return true;
+    }
+    return sender.kind == NodeKind::kLamp && behind_lamp(receiver, hierarchy.scene().lamps[sender.source]);
+}
+
+bool separated(const Node& receiver, const Node& sender) {
+    return length(receiver.center - sender.center) > receiver.radius + sender.radius;
+}
+
+float form_factor_bound(const Hierarchy& hierarchy, const Node& receiver, const Node& sender) {
+    if (sender.kind == NodeKind::kSky) {
+        return sender.area / kPi;
+    }
+    if (sender.kind == NodeKind::kLamp) {
+        const Lamp& lamp = hierarchy.scene().lamps[sender.source];
+        if (lamp.shape == LampShape::kDistant) {
+            return 1;
+        }
+        const float gap = length(receiver.center - sender.center) - receiver.radius;
+        if (lamp.shape == LampShape::kPoint) {
+            return 1 / std::max(gap * gap, 1e-12F);
+        }
+        return gap > sender.radius ? (sender.radius / gap) * (sender.radius / gap) : 1.0F;
+    }
+    const float gap = length(receiver.center - sender.center) - receiver.radius;
+    if (gap <= sender.radius) {
+        return 1;
+    }
+    const float shown = sender.kind == NodeKind::kElement ? sender.area : 0.25F * sender.area;
+    const float sphere = (sender.radius / gap) * (sender.radius / gap);
+    const float reach = gap - sender.radius;
+    return std::min(sphere, shown / (kPi * reach * reach + shown));
+}
+
+Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId receiver, NodeId sender, int rays) {
+    const Node& to = hierarchy[receiver];
+    const Node& from = hierarchy[sender];
+    const int count = std::clamp(rays, 4, kMaxRays);
+    Link link;
+    link.receiver = receiver;
+    link.sender = sender;
+    if (is_cluster(from) && !separated(to, from)) {
+        estimate_near(hierarchy, tracer, to, from, std::max(count, 16), link);
+        return link;
+    }
+    const ShadowRays pairs = make_shadow_rays(hierarchy, to, from, count);
+    const Seen seen = trace_shadow_rays(tracer, pairs, count, link);
+    if (to.kind == NodeKind::kElement) {
+        const auto points = element_points(to);
+        std::array<float, kPoints> unoccluded{}, arriving{};
+        for (int k = 0; k < kPoints; ++k) {
+            unoccluded[k] = form_factor_at(hierarchy, to, from, points[k]);
+            arriving[k] = unoccluded[k] * seen.quarters[k];
+        }
+        link.form_factor = 0.25F * (unoccluded[0] + unoccluded[1] + unoccluded[2] + unoccluded[3]);
+        const float mean = 0.25F * (arriving[0] + arriving[1] + arriving[2] + arriving[3]);
+        link.visibility = link.form_factor > 0 ? mean / link.form_factor : 0.0F;
+        link.shape_error = set_linear_shape(unoccluded, link) * link.visibility;
+        const float arriving_error = set_linear_shape(arriving, link);
+        link.level_error = link.form_factor * seen.sampling_error;
+        if (link.visibility < 1) {
+            link.level_error += arriving_error;
+        }
+    } else {
+        constexpr float kShadowEdge = 0.25F;  // of a half-seen sender's light may fall on the wrong faces
+        link.visibility = seen.visibility;
+        const float variation = set_cluster_form_factor(hierarchy, to, from, link);
+        const float edge = kShadowEdge * std::sqrt(seen.visibility * (1 - seen.visibility));
+        constexpr float kMadeUpFor = 0.5F;  // share of the variation that other senders make up for, see Link
+        link.shape_error = kMadeUpFor * variation * seen.visibility;
+        constexpr float kFormError = 0.033F;  // rms of the quadratic form that a cluster receives, directional_form.h
+        link.level_error = link.form_factor * (seen.sampling_error + edge + kFormError * seen.visibility) +
+                           (1 - kMadeUpFor) * variation * seen.visibility;
+    }
+    if (is_cluster(from)) {
+        link.level_error += far_field_error(to, from) * link.form_factor * link.visibility;
+    }
+    return link;
+}
+
+}  // namespace gg

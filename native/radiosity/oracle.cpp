@@ -1,0 +1,142 @@
+#include "radiosity/oracle.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "radiosity/link_estimate.h"
+
+namespace gg {
+
+namespace {
+
+// Sizes as shares of the extent of the light (ReferenceWhite::extent).
+constexpr float kDetail = 0.1F;       // smaller receivers may be wrong by more, in proportion to their size
+constexpr float kSmallestElement = 0.03F;
+constexpr float kSmallestCluster = 0.04F;
+constexpr float kSmallestSky = 0.02F;  // sr
+constexpr float kLargestSky = 0.5F;    // sr
+constexpr float kInsignificant = 0.1F;  // share of the tolerance below which four rays will do
+constexpr float kDarkest = 0.01F;       // irradiance below this share of the white tolerates no less
+constexpr float kLeastReflectance = 0.05F;
+constexpr float kLeastContrast = 0.1F;  // of a sender to its surroundings that is always counted
+constexpr float kShown = 0.5F;          // share of a cluster's area, both sides, that may face a receiver
+constexpr float kHotSpots = 3;  // how much brighter than its mean a cluster may be that has emitting faces
+
+// Error that may be made in the radiosity of a receiver [W/m2]: an equal step in the square root of irradiance, which is
+// about an equal step in display code, so that dim rooms are solved as well as bright ones.
+float allowed_error(const Node& receiver, float irradiance, const RefineSettings& settings) {  // W/m2
+    const float white = settings.white.irradiance;
+    const float detail = kDetail * settings.white.extent;
+    const float size = std::max(2 * receiver.radius, 1e-12F);
+    return settings.tolerance * std::sqrt(white * std::max(irradiance, kDarkest * white)) *
+           std::max(1.0F, detail / size);
+}
+
+bool can_split(const Node& node, const RefineSettings& settings) {
+    switch (node.kind) {
+        case NodeKind::kInstances:
+            return true;
+        case NodeKind::kCluster:
+            return node.child_count > 0 || 2 * node.radius > kSmallestCluster * settings.white.extent;
+        case NodeKind::kElement:
+            return node.child_count > 0 || 2 * node.radius > kSmallestElement * settings.white.extent;
+        case NodeKind::kSky:
+            return node.area > kSmallestSky;
+        case NodeKind::kLamp:
+            return false;
+    }
+    return false;
+}
+
+// Radiosity of the sender as its brightest part could have it.
+float strength(const Node& sender, float radiosity) {
+    return is_cluster(sender) && luminance(sender.emission) > 0 ? kHotSpots * radiosity : radiosity;
+}
+
+// Turns a link's form factor into one that multiplies the mean radiosity.
+float surface_shown(const Node& sender, bool near) {
+    return is_cluster(sender) && !near ? kShown * sender.area : 1.0F;
+}
+
+// A large cluster that has large faces of its own, such as a wall of two triangles: no directional form describes it as
+// well as its faces do, and they are few.
+bool has_large_faces(const Hierarchy& hierarchy, const Node& node, const RefineSettings& settings) {
+    return node.kind == NodeKind::kCluster && 2 * node.radius > kDetail * settings.white.extent &&
+           hierarchy.tree_node(node).direct_end > hierarchy.tree_node(node).begin;
+}
+
+Verdict side_to_split(const Node& receiver, const Node& sender, const RefineSettings& settings) {
+    const bool receiver_splits = can_split(receiver, settings);
+    const bool sender_splits = can_split(sender, settings);
+    if (!receiver_splits && !sender_splits) {
+        return Verdict::kAccept;
+    }
+    if (!sender_splits) {
+        return Verdict::kSplitReceiver;
+    }
+    if (!receiver_splits) {
+        return Verdict::kSplitSender;
+    }
+    const bool sender_larger = sender.kind == NodeKind::kSky ? sender.area > kLargestSky : sender.radius > receiver.radius;
+    return sender_larger ? Verdict::kSplitSender : Verdict::kSplitReceiver;
+}
+
+}  // namespace
+
+bool still_good(const Hierarchy& hierarchy, const Lighting& lighting, const Link& link, const RefineSettings& settings) {
+    const Node& receiver = hierarchy[link.receiver];
+    const Node& sender = hierarchy[link.sender];
+    const float reflectance = std::max(luminance(receiver.reflectance), kLeastReflectance);
+    const float light = strength(sender, luminance(lighting.radiosity(link.sender)));
+    const float sent = light * surface_shown(sender, link.near);
+    const float irradiance =
+        std::max(luminance(lighting.irradiance(link.receiver)), sent * link.form_factor * link.visibility);
+    // Form factors of all that a point sees sum to one: what one link has too much of, the others have too little, and
+    // they have the brightness of the surroundings. So the course of a form factor matters as far as the sender stands
+    // out. (To refine it on its own would leave the others' share of the error behind.)
+    const float surroundings = link.near || !is_cluster(sender) ? 2 * irradiance : 2 * irradiance * surface_shown(sender, false);
+    const float standing_out = std::max(sent - surroundings, kLeastContrast * sent);
+    return reflectance * (standing_out * link.shape_error + sent * link.level_error) <=
+           allowed_error(receiver, irradiance, settings);
+}
+
+Decision decide(const Hierarchy& hierarchy, const Lighting& lighting, const RayTracer& tracer, NodeId receiver_id,
+                NodeId sender_id, const RefineSettings& settings) {
+    const Node& receiver = hierarchy[receiver_id];
+    const Node& sender = hierarchy[sender_id];
+    const bool self = receiver_id == sender_id;
+    if (!self && never_exchange(hierarchy, receiver, sender)) {
+        return {Verdict::kDrop, {}};
+    }
+    if (self && receiver.kind == NodeKind::kElement) {
+        return {Verdict::kDrop, {}};
+    }
+    const float irradiance = luminance(lighting.irradiance(receiver_id));
+    const float allowed = allowed_error(receiver, irradiance, settings);
+    const float reflectance = std::max(luminance(receiver.reflectance), kLeastReflectance);
+    const float light = strength(sender, luminance(lighting.radiosity(sender_id)));
+    const float most = reflectance * light * (self ? 1.0F : form_factor_bound(hierarchy, receiver, sender));
+    if (most <= kInsignificant * allowed) {
+        return {Verdict::kAccept, estimate_link(hierarchy, tracer, receiver_id, sender_id, 4)};
+    }
+    const Verdict split = self ? (can_split(receiver, settings) ? Verdict::kSplitSelf : Verdict::kAccept)
+                               : side_to_split(receiver, sender, settings);
+    if (self && has_large_faces(hierarchy, receiver, settings)) {
+        return {Verdict::kSplitSelf, {}};
+    }
+    if (has_large_faces(hierarchy, receiver, settings)) {
+        return {Verdict::kSplitReceiver, {}};
+    }
+    if (has_large_faces(hierarchy, sender, settings)) {
+        return {Verdict::kSplitSender, {}};
+    }
+    // As many rays as it takes to believe that nothing, or everything, is in between.
+    const int rays = static_cast<int>(std::clamp(std::ceil(2 * most / allowed), 4.0F, 64.0F));
+    Decision decision{Verdict::kAccept, estimate_link(hierarchy, tracer, receiver_id, sender_id, rays)};
+    if (!still_good(hierarchy, lighting, decision.link, settings)) {
+        decision.verdict = split;
+    }
+    return decision;
+}
+
+}  // namespace gg

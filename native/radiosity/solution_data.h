@@ -1,0 +1,46 @@
+// What a solution is made of.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "radiosity/hierarchy.h"
+#include "radiosity/lighting.h"
+#include "radiosity/link.h"
+#include "radiosity/reference_white.h"
+
+namespace gg {
+
+// Irradiance at the vertices of an instance's elements. Vertices are the mesh's shading vertices, then the midpoints of
+// element edges; front and back have values of their own.
+struct InstanceVertices {
+    // (vertex, vertex) in ascending order -> the vertex between them.
+    std::unordered_map<std::uint64_t, std::uint32_t> midpoints;
+    std::vector<Rgb> front, back;  // W/m2 per vertex; back is empty when light reaches no back
+    // First element of a triangle's front and back, or kNone where the triangle stayed in a cluster; empty when all did.
+    std::vector<NodeId> front_element, back_element;
+};
+
+// The corners of a leaf element, so that a look-up needs no search.
+struct ElementVertices {
+    std::array<std::uint32_t, 3> vertices{};
+    bool has_t_vertices = false;  // a neighbour divides one of its edges
+};
+
+struct Solution {
+    Solution(const Scene& scene, const SurfaceColors& colors, SceneFaces faces)
+        : hierarchy(scene, colors, std::move(faces)), lighting(hierarchy) {}
+    Solution(const Solution&) = delete;
+    Solution& operator=(const Solution&) = delete;
+
+    Hierarchy hierarchy;
+    Lighting lighting;
+    std::vector<Link> links;
+    ReferenceWhite white;
+    std::vector<InstanceVertices> vertices;         // per instance
+    std::vector<ElementVertices> element_vertices;  // per node; set for leaf elements
+};
+
+}  // namespace gg

@@ -1,0 +1,88 @@
+#include "radiosity/solve.h"
+
+#include "core/control.h"
+#include "core/statistics.h"
+#include "radiosity/interpolation.h"
+#include "radiosity/refine.h"
+#include "radiosity/solution_data.h"
+
+namespace gg {
+
+namespace {
+
+// Multigridding: coarse links carry the light around once before finer ones are judged by it.
+constexpr float kCoarseness[] = {16, 4, 1};
+constexpr int kSweepsBetween = 4;
+constexpr int kSweepsAtEnd = 200;          // enough for a mean reflectance of 0.97
+constexpr double kConverged = 2e-4;        // change of the reflected power in one sweep, share of it
+
+void report(const Solution& solution, Statistics& statistics) {
+    std::size_t elements = 0, clusters = 0, open = 0;
+    for (const Node& node : solution.hierarchy.nodes()) {
+        elements += node.kind == NodeKind::kElement && node.child_count == 0;
+        clusters += is_cluster(node) && node.child_count == 0;
+        open += node.child_count > 0;
+    }
+    statistics.set_count("elements", static_cast<double>(elements));
+    statistics.set_count("leaf clusters", static_cast<double>(clusters));
+    statistics.set_count("opened nodes", static_cast<double>(open));
+    std::size_t to_surface = 0, near = 0, lamps = 0, sky = 0, dark = 0;
+    for (const Link& link : solution.links) {
+        const NodeKind sender = solution.hierarchy[link.sender].kind;
+        near += link.near;
+        lamps += sender == NodeKind::kLamp;
+        sky += sender == NodeKind::kSky;
+        dark += !(link.visibility > 0);
+        to_surface += solution.hierarchy[link.receiver].kind == NodeKind::kElement;
+    }
+    statistics.set_count("links", static_cast<double>(solution.links.size()));
+    statistics.set_count("links to elements", static_cast<double>(to_surface));
+    statistics.set_count("links of touching nodes", static_cast<double>(near));
+    statistics.set_count("links from lamps", static_cast<double>(lamps));
+    statistics.set_count("links from sky", static_cast<double>(sky));
+    statistics.set_count("links occluded", static_cast<double>(dark));
+    statistics.set_count("reference white", solution.white.irradiance);
+    statistics.set_count("extent of light", solution.white.extent);
+    statistics.set_bytes("hierarchy", static_cast<double>(solution.hierarchy.bytes() + solution.lighting.bytes()));
+    statistics.set_bytes("links", static_cast<double>(solution.links.capacity() * sizeof(Link)));
+}
+
+}  // namespace
+
+std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& colors, const RayTracer& tracer,
+                                      const SolveSettings& settings, Control& control, Statistics& statistics) {
+    std::shared_ptr<Solution> solution;
+    {
+        const StageTimer timer(statistics, "clusters");
+        solution = std::make_shared<Solution>(scene, colors, make_scene_faces(scene, colors, control));
+        solution->lighting.grow(control);
+    }
+    solution->links = initial_links(solution->hierarchy);
+    int sweeps = 0;
+    for (const float coarseness : kCoarseness) {
+        {
+            const StageTimer timer(statistics, "refine");
+            solution->white = reference_white(solution->hierarchy, solution->lighting);
+            const RefineSettings refine_settings{settings.quality * coarseness, solution->white};
+            solution->links = refine(solution->hierarchy, solution->lighting, tracer, std::move(solution->links),
+                                     refine_settings, control, statistics);
+        }
+        const StageTimer timer(statistics, "gather");
+        solution->lighting.set_links(solution->links);
+        const int most = coarseness > 1 ? kSweepsBetween : kSweepsAtEnd;
+        for (int sweep = 0; sweep < most; ++sweep, ++sweeps) {
+            if (solution->lighting.iterate(control) < kConverged) {
+                break;
+            }
+        }
+    }
+    statistics.set_count("sweeps", sweeps);
+    {
+        const StageTimer timer(statistics, "interpolate");
+        interpolate_to_vertices(*solution, control);
+    }
+    report(*solution, statistics);
+    return solution;
+}
+
+}  // namespace gg

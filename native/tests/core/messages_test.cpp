@@ -1,0 +1,39 @@
+#include "core/messages.h"
+
+#include <gtest/gtest.h>
+
+#include "core/control.h"
+#include "core/parallel.h"
+
+namespace gg {
+namespace {
+
+TEST(Messages, equal_object_and_text_are_counted_not_repeated) {
+    Messages messages;
+    messages.add("Cube", "Broken");
+    messages.add("Cube", "Broken", 3);
+    messages.add("Cube", "Missing");
+    messages.add("Lamp", "Broken");
+    const std::vector<Message> all = messages.all();
+    ASSERT_EQ(all.size(), 3U);
+    EXPECT_EQ(all[0].object, "Cube");
+    EXPECT_EQ(all[0].text, "Broken");
+    EXPECT_EQ(all[0].count, 4U);
+    EXPECT_EQ(all[1].text, "Missing");
+    EXPECT_EQ(all[2].object, "Lamp");
+    EXPECT_EQ(all[2].count, 1U);
+}
+
+TEST(Messages, none_is_lost_between_threads) {
+    Messages messages;
+    run_with_threads(7, [&] {
+        parallel_for(10000, 10, Control{}, [&](std::size_t index) { messages.add("x", index % 2 ? "odd" : "even"); });
+    });
+    const std::vector<Message> all = messages.all();
+    ASSERT_EQ(all.size(), 2U);
+    EXPECT_EQ(all[0].count, 5000U);
+    EXPECT_EQ(all[1].count, 5000U);
+}
+
+}  // namespace
+}  // namespace gg

@@ -1,0 +1,78 @@
+#!/usr/bin/python3
+"""regions.py SCENE REFERENCE.exr TEST.exr: is each wall, floor, ceiling and big object as bright as it should be?
+
+A region is what one object covers in the picture. Pixels within one pixel of a region's border are left out (filters
+differ there), pixels of lamps too, and regions that are then below SMALLEST of the picture.
+"""
+import sys
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import scene_files as files
+from compare import load
+
+SMALLEST = 0.005  # of the picture
+LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
+
+
+def regions_file(name):
+    """The .npz of a scene's regions at the truth's size, made by region_masks.py when the scene has changed."""
+    path = files.BUILD / "scenes" / f"{name}-{files.scene_hash(name)}-regions.npz"
+    if not path.exists():
+        partial = path.with_suffix(".partial.npz")
+        files.run_blender([files.scene_file(name), "--python", files.SCENES / "region_masks.py", "--",
+                           partial, files.TRUTH_PERCENT])
+        partial.rename(path)
+    return path
+
+
+def inner_masks(masks):
+    """{object name: (height, width) bool} of what is compared."""
+    index = masks["index"].astype(int)
+    padded = np.pad(index, 1, "edge")
+    height, width = index.shape
+    inner = ~masks["emitting"]
+    for y in range(3):
+        for x in range(3):
+            inner &= padded[y:y + height, x:x + width] == index
+    found = {str(name): inner & (index == i) for i, name in enumerate(masks["names"])}
+    return {name: mask for name, mask in sorted(found.items()) if mask.mean() >= SMALLEST}
+
+
+def regions_report(reference, test, masks):
+    """[(name, pixels, mean luminance of the reference, of the test, test / reference)] for pictures (height, width, 3).
+
+    masks: what numpy.load gives for a regions file.
+    """
+    if reference.shape != test.shape or reference.shape[:2] != masks["index"].shape:
+        raise files.SceneError(f"sizes differ: {reference.shape} {test.shape} {masks['index'].shape}")
+    rows = []
+    for name, mask in inner_masks(masks).items():
+        expected, found = (float((picture[mask] @ LUMINANCE).mean()) for picture in (reference, test))
+        rows.append((name, int(mask.sum()), expected, found, found / max(expected, 1e-9)))
+    return rows
+
+
+def worst_region(rows):
+    """The row whose ratio is farthest from 1, in either direction."""
+    return max(rows, key=lambda row: abs(np.log(max(row[4], 1e-9))))
+
+
+def main(arguments):
+    if len(arguments) != 3:
+        print(__doc__)
+        return 2
+    masks = np.load(regions_file(arguments[0]))
+    print(f"{'region':24} {'pixels':>7} {'reference':>10} {'test':>10} {'ratio':>7}")
+    for name, pixels, expected, found, ratio in regions_report(load(arguments[1]), load(arguments[2]), masks):
+        print(f"{name:24} {pixels:7} {expected:10.5f} {found:10.5f} {ratio:7.4f}")
+    return 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except files.SceneError as error:
+        sys.exit(str(error))

@@ -1,0 +1,49 @@
+"""The part of scenes/render that runs in Blender: blender -b SCENE.blend --python render_scene.py -- JSON
+
+JSON holds the wishes (engine, percent, preset, method, quality, samples, threads; null: as the scene has it) and the
+paths to write: exr, png, json (the time of the render and the engine's statistics).
+"""
+import json
+import sys
+import time
+
+import bpy
+
+
+def set_up(scene, wishes):
+    scene.render.engine = wishes["engine"]
+    scene.render.resolution_percentage = wishes["percent"]
+    if wishes["threads"]:
+        scene.render.threads_mode, scene.render.threads = "FIXED", wishes["threads"]
+    if wishes["engine"] == "CYCLES":
+        scene.cycles.use_denoising = False  # not every Blender is built with the denoiser
+    settings = scene.gridgather if wishes["engine"] == "GRIDGATHER" else scene.cycles
+    for name in ("preset", "method", "quality", "samples"):
+        if wishes[name] is not None:
+            if not hasattr(settings, name):
+                raise ValueError(f"{wishes['engine']} has no setting {name!r}")
+            setattr(settings, name, wishes[name])
+
+
+def write(scene, path, file_format, depth, mode="RGB"):
+    """Save the finished picture; formats for display go through the scene's view transform."""
+    settings = scene.render.image_settings
+    settings.file_format, settings.color_depth, settings.color_mode = file_format, depth, mode
+    bpy.data.images["Render Result"].save_render(path, scene=scene)
+
+
+def main():
+    wishes = json.loads(sys.argv[sys.argv.index("--") + 1])
+    scene = bpy.context.scene
+    set_up(scene, wishes)
+    start = time.monotonic()
+    bpy.ops.render.render()  # raises when the engine reports an error
+    seconds = time.monotonic() - start
+    write(scene, wishes["exr"], "OPEN_EXR", "32")
+    write(scene, wishes["png"], "PNG", "8")
+    statistics = json.loads(getattr(scene, "gridgather_statistics", "") or "{}")
+    with open(wishes["json"], "w") as file:
+        json.dump({"render": seconds, "statistics": statistics}, file)
+
+
+main()
