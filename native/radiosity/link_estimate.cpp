@@ -15,7 +15,8 @@ namespace gg {
 namespace {
 
 constexpr int kMaxRays = 64;
-constexpr int kPoints = 4;  // receiver points at which form factors are evaluated
+constexpr int kPoints = 4;  // of an element, at which form factors are evaluated
+constexpr int kClusterPoints = 16;
 
 // Centroids of an element's quarters: the same for every sender, so that the form factors of senders that together
 // cover a hemisphere sum to exactly one.
@@ -29,11 +30,14 @@ std::array<Vec3, kPoints> element_points(const Node& node) {
     return points;
 }
 
-std::array<Vec3, kPoints> cluster_points(const Hierarchy& hierarchy, const Node& node) {
+// Stratified in the order of the tree, which is that of places. Too few would bias the solution: links whose sampled
+// form factor is too small are the ones that pass for good.
+std::array<Vec3, kClusterPoints> cluster_points(const Hierarchy& hierarchy, const Node& node) {
     const Sequence4 sequence(node.stable_id);
-    std::array<Vec3, kPoints> points;
-    for (std::uint32_t k = 0; k < kPoints; ++k) {
-        points[k] = sample_face(hierarchy, node, sequence(k, 0), sequence(k, 1), sequence(k, 2)).position;
+    std::array<Vec3, kClusterPoints> points;
+    for (std::uint32_t k = 0; k < kClusterPoints; ++k) {
+        const float u = (static_cast<float>(k) + sequence(k, 0)) / kClusterPoints;
+        points[k] = sample_face(hierarchy, node, u, sequence(k, 1), sequence(k, 2)).position;
     }
     return points;
 }
@@ -85,8 +89,8 @@ Arrival from_lamp(const Lamp& lamp, const Node& sender, Vec3 x) {
 
 Arrival from_cluster(const Node& sender, Vec3 x) {
     const Vec3 to_sender = sender.center - x;
-    // A quarter of its area is what a cluster shows on average; it bounds the kernel as in disk_kernel().
-    const float factor = 1.0F / (kPi * length_squared(to_sender) + 0.25F * sender.area);
+    // Far-field: exact for a sphere of even brightness. The bound only matters for points that are almost inside.
+    const float factor = 1.0F / (kPi * std::max(length_squared(to_sender), 0.25F * sender.radius * sender.radius));
     return {factor, normalize_or_zero(to_sender), factor};
 }
 
@@ -96,7 +100,11 @@ Arrival from_element(const Node& sender, Vec3 x) {
     }
     const Vec3 vector = vector_form_factor(x, std::span<const Vec3>(sender.corner, 3));
     const float factor = length(vector);
-    return factor > 0 ? Arrival{factor, vector / factor, cone_over_pi(factor)} : Arrival{};
+    if (!(factor > 0)) {
+        return {};
+    }
+    const float solid_angle = triangle_solid_angle(sender.corner[0] - x, sender.corner[1] - x, sender.corner[2] - x);
+    return {factor, vector / factor, solid_angle / kPi};
 }
 
 Arrival from_sky(const Node& sender) {
@@ -163,6 +171,13 @@ float set_linear_shape(const std::array<float, kPoints>& f, Link& link) {
     return std::max(std::abs(f[3] - outer), kUnseen * (*most - *least));
 }
 
+// Between the middles, m; infinite for the sky and distant lamps.
+float distance_to(const Hierarchy& hierarchy, const Node& receiver, const Node& sender) {
+    const bool infinite = sender.kind == NodeKind::kSky || (sender.kind == NodeKind::kLamp &&
+                          hierarchy.scene().lamps[sender.source].shape == LampShape::kDistant);
+    return infinite ? kInfinity : length(receiver.center - sender.center);
+}
+
 // Fills form factor and direction at a cluster; returns how much both vary over the receiver.
 float set_cluster_form_factor(const Hierarchy& hierarchy, const Node& receiver, const Node& sender, Link& link) {
     Vec3 sum(0.0F);
@@ -175,9 +190,12 @@ float set_cluster_form_factor(const Hierarchy& hierarchy, const Node& receiver, 
         least = std::min(least, light.factor);
         most = std::max(most, light.factor);
     }
-    link.form_factor = solid_angle / kPoints;
+    link.form_factor = solid_angle / kClusterPoints;
     link.shape = solid_angle > 0 ? sum / solid_angle : Vec3(0.0F);
-    return 0.5F * (most - least) + (total - length(sum)) / kPoints;
+    const float sampled = 0.5F * (most - least) + (total - length(sum)) / kClusterPoints;
+    // Few points may all lie on one part of the receiver: direction and distance to the sender vary by its size.
+    const float size = std::min(1.0F, receiver.radius / std::max(distance_to(hierarchy, receiver, sender), 1e-30F));
+    return std::max(sampled, size * link.form_factor);
 }
 
 struct ShadowRays {
@@ -186,6 +204,7 @@ struct ShadowRays {
     std::array<float, kMaxRays> lengths{};  // m
     std::array<std::uint8_t, kMaxRays> quarters{};
     std::size_t count = 0;
+    bool sender_shines = false;  // some point of the sender faces some point of the receiver, if not the reverse
 };
 
 // Adds the ray from a receiver's face to a point or direction of the sender, unless they do not face each other.
@@ -212,6 +231,7 @@ void add_pair(const Hierarchy& hierarchy, const FacePoint& x, const Node& sender
         const float cosine = dot(d, target_normal) / std::sqrt(std::max(squared, 1e-30F));
         sender_weight = std::max(0.0F, cosine) / (squared + sender.area / (4 * kPi));
     }
+    out.sender_shines |= sender_weight > 0;
     const Vec3 normal = normal_towards(x, target);
     const Vec3 to_target = target - x.position;
     const float distance = length(to_target);
@@ -303,7 +323,8 @@ Seen trace_shadow_rays(const RayTracer& tracer, const ShadowRays& pairs, int cou
     const float all_seen = seen[0] + seen[1] + seen[2] + seen[3];
     const float all = total[0] + total[1] + total[2] + total[3];
     Seen result;
-    result.visibility = all > 0 ? all_seen / all : 0.0F;
+    // Where the points of a receiving cluster all face away, nothing is known to be in the way of those that do not.
+    result.visibility = all > 0 ? all_seen / all : (pairs.sender_shines ? 1.0F : 0.0F);
     for (int k = 0; k < kPoints; ++k) {
         result.quarters[k] = total[k] > 0 ? seen[k] / total[k] : result.visibility;
     }

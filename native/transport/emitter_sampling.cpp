@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/random.h"
+#include "scene/light_units.h"
 #include "transport/form_factor.h"
 
 namespace gg {
@@ -65,7 +66,8 @@ LampSample sample_sphere(const Lamp& lamp, Vec3 x, float u, float v) {
     const float gap = (view.distance - lamp.radius) * (view.distance + lamp.radius);
     sample.distance = gap > 0 ? gap / (reach + half_chord) : 0.0F;
     sample.point = x + sample.distance * sample.direction;
-    sample.normal_irradiance = lamp.radiance * (2 * kPi * view.depth * spot_factor(lamp, -sample.direction));
+    sample.normal_irradiance =
+        lamp.radiance * (2 * kPi * view.depth * spot_factor(lamp, -dot(lamp.direction, sample.direction)));
     return sample;
 }
 
@@ -100,7 +102,7 @@ LampSample sample_point(const Lamp& lamp, Vec3 x) {
     }
     sample.distance = std::sqrt(squared);
     sample.direction = to_sample / sample.distance;
-    sample.normal_irradiance = lamp.radiance * (spot_factor(lamp, -sample.direction) / squared);
+    sample.normal_irradiance = lamp.radiance * (spot_factor(lamp, -dot(lamp.direction, sample.direction)) / squared);
     return sample;
 }
 
@@ -180,7 +182,8 @@ IrradianceVector lamp_irradiance_vector(const Lamp& lamp, Vec3 x) {
         }
         case LampShape::kSphere: {
             const SphereView view = view_sphere(lamp, x);
-            return {lamp.radiance * (kPi * view.sine_squared * spot_factor(lamp, -view.axis)), view.axis};
+            return {lamp.radiance * (kPi * view.sine_squared * spot_factor(lamp, -dot(lamp.direction, view.axis))),
+                    view.axis};
         }
         case LampShape::kRectangle:
         case LampShape::kEllipse:
@@ -189,22 +192,6 @@ IrradianceVector lamp_irradiance_vector(const Lamp& lamp, Vec3 x) {
             return {lamp.irradiance, -lamp.direction};
     }
     return {};
-}
-
-float spot_factor(const Lamp& lamp, Vec3 direction_from_lamp) {
-    if (!lamp.is_spot) {
-        return 1;
-    }
-    const float cosine = dot(lamp.direction, direction_from_lamp);
-    const float above = cosine - lamp.spot_cos;
-    if (!(above > 0) || !(cosine > 0)) {
-        return 0;
-    }
-    if (above >= lamp.spot_smooth) {
-        return cosine;
-    }
-    const float t = above / lamp.spot_smooth;
-    return cosine * t * t * (3 - 2 * t);
 }
 
 }  // namespace gg

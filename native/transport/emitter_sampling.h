@@ -10,10 +10,10 @@ namespace gg {
 
 // One point of a lamp as a receiver at x sees it.
 struct LampSample {
-    Vec3 point{0.0F};                // on the lamp; kDistant: x + direction
-    Vec3 direction{0.0F};            // unit, from x to the sample
-    float distance = 0;              // m; kDistant: infinity
-    Rgb normal_irradiance{0.0F};     // W/m2, unoccluded, on a plane that faces the sample, if it stood for the whole lamp
+    Vec3 point{0.0F};             // on the lamp; kDistant: x + direction
+    Vec3 direction{0.0F};         // unit, from x to the sample
+    float distance = 0;           // m; kDistant: infinity
+    Rgb normal_irradiance{0.0F};  // W/m2, unoccluded, on a plane that faces the sample, if it stood for the whole lamp
 };
 
 // The sample of (u, v) in [0, 1)^2. The mean over uniform (u, v) of normal_irradiance * max(0, n.direction) is the
@@ -24,8 +24,8 @@ struct LampSample {
 // sphere counts as lying on its surface.
 [[nodiscard]] LampSample sample_lamp(const Lamp& lamp, Vec3 x, float u, float v);
 
-// Irradiance as a vector: `irradiance` [W/m2] falls on a plane at x that faces `direction` (unit, towards the lamp), and
-// max(0, n.direction) of it on any normal above whose horizon the whole lamp lies.
+// Irradiance as a vector: `irradiance` [W/m2] falls on a plane at x that faces `direction` (unit, towards the lamp),
+// and max(0, n.direction) of it on any normal above whose horizon the whole lamp lies.
 struct IrradianceVector {
     Rgb irradiance{0.0F};
     Vec3 direction{0.0F, 0.0F, 1.0F};
@@ -34,9 +34,5 @@ struct IrradianceVector {
 // Of the unoccluded lamp. Exact for points, spheres (spot factor taken at the centre) and distant disks, to float
 // rounding for rectangles; an ellipse counts as a 16-gon of its area.
 [[nodiscard]] IrradianceVector lamp_irradiance_vector(const Lamp& lamp, Vec3 x);
-
-// Share of a spot's intensity in the unit direction from the lamp, 0..1; 1 for lamps that are no spots. As Cycles:
-// t = (cos - spot_cos) / spot_smooth, 3 t^2 - 2 t^3 in [0, 1]; spot_smooth = 0 is a hard edge.
-[[nodiscard]] float spot_factor(const Lamp& lamp, Vec3 direction_from_lamp);
 
 }  // namespace gg

@@ -13,7 +13,7 @@ inline constexpr T kPiOf = static_cast<T>(3.14159265358979323846);
 // The contour sum subtracts numbers near 1 and has no digits left for small polygons far away: there, cubature over
 // the area takes over. Value: (largest extent / smallest distance)^2 at which both errors are about equal; measured.
 template <typename T>
-inline constexpr T kSmallPolygon = std::is_same_v<T, float> ? T(5e-3) : T(1e-6);
+inline constexpr T kSmallPolygon = std::is_same_v<T, float> ? T(1e-2) : T(1e-6);
 
 // Share of the largest coordinate that rounding may have moved a point by.
 template <typename T>
@@ -41,8 +41,8 @@ V edge_term(V a, V b) {
     return normal * (std::atan2(sine, glm::dot(a, b)) / sine);
 }
 
-// Integral of |cos_y| m / (pi |m|^3) over a small triangle as seen from the origin, for its dot product with n to be the
-// form factor: edge midpoints, exact for quadratic integrands. Signed by the winding.
+// Integral of |cos_y| m / (pi |m|^3) over a small triangle as seen from the origin, for its dot product with n to be
+// the form factor: edge midpoints, exact for quadratic integrands. Signed by the winding.
 template <typename V>
 V small_triangle(V a, V b, V c) {
     using T = Scalar<V>;
@@ -114,8 +114,8 @@ ClippedTriangle<V> clip(const std::array<V, 3>& triangle, V n) {
     return result;
 }
 
-// Calls visit(a, b) for the edges, relative to x, of the part of a convex polygon above the horizon of n; the edge along
-// the horizon comes last. Needs no memory for the clipped polygon, however many corners there are.
+// Calls visit(a, b) for the edges, relative to x, of the part of a convex polygon above the horizon of n; the edge
+// along the horizon comes last. Needs no memory for the clipped polygon, however many corners there are.
 template <typename V, typename Visit>
 void for_each_clipped_edge(V x, V n, std::span<const V> polygon, const Visit& visit) {
     using T = Scalar<V>;
@@ -175,8 +175,8 @@ V vector_form_factor(V x, std::span<const std::type_identity_t<V>> polygon) {
         sum += edge_term(a, b);
         a = b;
     }
-    // Counter-clockwise as seen from x, the edge normals point to the inside of the cone of sight, where the polygon is;
-    // that winding's area vector points back to x: side < 0.
+    // Counter-clockwise as seen from x, the edge normals point to the inside of the cone of sight, where the polygon
+    // is; that winding's area vector points back to x: side < 0.
     return sum * ((view.side > 0 ? T(1) : T(-1)) / (2 * kPiOf<T>));
 }
 

@@ -17,7 +17,9 @@
 namespace gg {
 
 // Of the float versions of vector_form_factor, point_to_polygon and point_to_triangle, held by a test:
-// |error| <= kFormFactorAccuracy * max(F, 1e-3), for coordinates relative to x of any magnitude.
+// |error| <= kFormFactorAccuracy * max(F, 1e-3), whatever the distance. Worst at 10 to 30 times the polygon's size,
+// where the mean relative error is 3e-5; from 100 times on it is 1e-7, and 2e-5 at most unless grazing. Not within 1e-4
+// of the polygon's plane, where the inputs' own rounding decides.
 inline constexpr float kFormFactorAccuracy = 2e-4F;
 
 // Phi = 1/(2 pi) sum_i theta_i Gamma_i over the edges, Gamma_i the unit normal of the triangle (x, v_i, v_i+1) and
@@ -44,7 +46,8 @@ template <typename V>
 template <typename T>
 [[nodiscard]] T point_to_sphere(T cosine, T distance_over_radius);
 
-// Bounded kernel A cos cos / (pi d^2 + A), exact for a facing coaxial disk of that area. >= 0; a negative cosine gives 0.
+// Bounded kernel A cos cos / (pi d^2 + A), exact for a facing coaxial disk of that area. >= 0; a negative cosine gives
+// 0.
 template <typename T>
 [[nodiscard]] inline T disk_kernel(T cos_x, T cos_y, T distance_squared, T area) {
     if (!(cos_x > 0) || !(cos_y > 0) || !(area > 0)) {

@@ -27,15 +27,17 @@ std::array<SkyCell, 4> children(SkyCell cell) {
 
 Vec3 cell_direction(SkyCell cell, float u, float v) {
     const float width = std::ldexp(1.0F, -cell.level);
-    Vec3 direction = square_to_hemisphere((static_cast<float>(cell.i) + u) * width,
-                                          (static_cast<float>(cell.j) + v) * width);
+    Vec3 direction =
+        square_to_hemisphere((static_cast<float>(cell.i) + u) * width, (static_cast<float>(cell.j) + v) * width);
     if (cell.face == 1) {
         direction.z = -direction.z;
     }
     return direction;
 }
 
-float cell_solid_angle(SkyCell cell) { return std::ldexp(2 * kPi, -2 * cell.level); }
+float cell_solid_angle(SkyCell cell) {
+    return std::ldexp(2 * kPi, -2 * cell.level);
+}
 
 Vec3 square_to_sphere(float u, float v) {
     return u < 0.5F ? cell_direction({0, 0, 0, 0}, 2 * u, v) : cell_direction({0, 1, 0, 0}, 2 * u - 1, v);

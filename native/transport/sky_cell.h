@@ -22,7 +22,9 @@ struct SkyCell {
 };
 
 // The two hemispheres, which partition the sphere.
-[[nodiscard]] constexpr std::array<SkyCell, 2> sky_roots() { return {SkyCell{0, 0, 0, 0}, SkyCell{0, 1, 0, 0}}; }
+[[nodiscard]] constexpr std::array<SkyCell, 2> sky_roots() {
+    return {SkyCell{0, 0, 0, 0}, SkyCell{0, 1, 0, 0}};
+}
 
 // The four cells of the next level that partition this one.
 [[nodiscard]] std::array<SkyCell, 4> children(SkyCell cell);

@@ -51,8 +51,9 @@ TEST(sky_cell, children_cover_the_quarters_of_their_parent) {
             for (const Vec2 p : {Vec2(0.25F, 0.125F), Vec2(0.75F, 0.5F)}) {
                 const Vec2 in_parent{0.5F * (p.x + static_cast<float>(part & 1)),
                                      0.5F * (p.y + static_cast<float>(part >> 1))};
-                EXPECT_LT(length(cell_direction(parts[part], p.x, p.y) -
-                                 cell_direction(cell, in_parent.x, in_parent.y)), 1e-6F);
+                EXPECT_LT(
+                    length(cell_direction(parts[part], p.x, p.y) - cell_direction(cell, in_parent.x, in_parent.y)),
+                    1e-6F);
             }
         }
     }
@@ -66,8 +67,8 @@ TEST(sky_cell, solid_angle_is_that_of_the_directions) {
         for (int i = 0; i < kSteps; ++i) {
             for (int j = 0; j < kSteps; ++j) {
                 const auto at = [&](int a, int b) {
-                    return Vec3d(cell_direction(cell, static_cast<float>(i + a) / kSteps,
-                                                static_cast<float>(j + b) / kSteps));
+                    return Vec3d(
+                        cell_direction(cell, static_cast<float>(i + a) / kSteps, static_cast<float>(j + b) / kSteps));
                 };
                 sum += 0.5 * glm::length(glm::cross(at(1, 1) - at(0, 0), at(0, 1) - at(1, 0)));
             }
@@ -93,8 +94,8 @@ TEST(sky_cell, sphere_samples_have_the_moments_of_the_uniform_sphere) {
     double mixed = 0;
     for (int i = 0; i < kSteps; ++i) {
         for (int j = 0; j < kSteps; ++j) {
-            const Vec3d d(square_to_sphere((static_cast<float>(i) + 0.5F) / kSteps,
-                                           (static_cast<float>(j) + 0.5F) / kSteps));
+            const Vec3d d(
+                square_to_sphere((static_cast<float>(i) + 0.5F) / kSteps, (static_cast<float>(j) + 0.5F) / kSteps));
             mean += d;
             squares += d * d;
             mixed += d.x * d.y;

@@ -1,0 +1,91 @@
+#include "api/convert_settings.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "api/convert_scene.h"
+#include "api/guard.h"
+
+namespace gg {
+
+namespace {
+
+constexpr std::uint32_t kLargestPicture = 65536;
+
+// The camera's axes at unit length and right angles, mirrored where they were: scale has no meaning for a camera.
+Affine without_scale(const Affine& placed) {
+    const Vec3 back = normalize_or_zero(placed.linear[2]);
+    const Vec3 up = normalize_or_zero(placed.linear[1] - dot(placed.linear[1], back) * back);
+    const Vec3 side = placed.linear[0] - dot(placed.linear[0], back) * back;
+    const Vec3 right = normalize_or_zero(side - dot(side, up) * up);
+    require(back != Vec3(0) && up != Vec3(0) && right != Vec3(0), "the camera's matrix is singular");
+    return {Mat3(right, up, back), placed.translation};
+}
+
+CameraDescription convert_camera(const gg_camera& camera) {
+    const auto finite = [](float value) { return std::isfinite(value); };
+    require(camera.type == GG_CAMERA_PERSPECTIVE || camera.type == GG_CAMERA_ORTHOGRAPHIC, "unknown camera type");
+    require(std::all_of(camera.matrix, camera.matrix + 12, finite), "the camera's matrix is not finite");
+    require(std::all_of(camera.window, camera.window + 4, finite) && camera.window[0] < camera.window[1] &&
+                camera.window[2] < camera.window[3],
+            "the camera's window is empty or not finite");
+    require(camera.clip_start >= 0 && camera.clip_start < camera.clip_end, "the camera's clip range is empty");
+    CameraDescription result;
+    result.type = static_cast<CameraType>(camera.type);
+    result.to_world = without_scale(convert_matrix(camera.matrix));
+    std::copy_n(camera.window, 4, result.window);
+    result.clip_start = camera.clip_start;
+    result.clip_end = camera.clip_end;
+    return result;
+}
+
+Rectangle convert_crop(const gg_settings& settings) {
+    const std::uint32_t(&crop)[4] = settings.crop;
+    if (std::all_of(crop, crop + 4, [](std::uint32_t value) { return value == 0; })) {
+        return {0, 0, settings.width, settings.height};
+    }
+    require(crop[2] >= 1 && crop[3] >= 1 && crop[0] < settings.width && crop[1] < settings.height &&
+                crop[2] <= settings.width - crop[0] && crop[3] <= settings.height - crop[1],
+            "the crop does not lie within the picture");
+    return {crop[0], crop[1], crop[2], crop[3]};
+}
+
+// `value`, or `standard` where it is 0.
+float number(float value, float standard, float least, float most, const char* what) {
+    if (value == 0) {
+        return standard;
+    }
+    require(value >= least && value <= most, what);
+    return value;
+}
+
+}  // namespace
+
+RenderSettings convert_settings(const gg_camera* camera, const gg_settings& settings) {
+    if (camera == nullptr) {
+        throw Error(GG_INVALID_SCENE, "there is no camera");
+    }
+    require(settings.method == GG_METHOD_SOLUTION, "unknown method");
+    require(settings.width >= 1 && settings.width <= kLargestPicture, "width is out of range");
+    require(settings.height >= 1 && settings.height <= kLargestPicture, "height is out of range");
+    require(settings.samples <= 256, "samples are out of range");
+    require(settings.filter_type >= 0 && settings.filter_type <= 2, "unknown filter_type");
+    require(settings.threads >= 0 && settings.threads <= 4096, "threads are out of range");
+
+    RenderSettings result;
+    result.camera = convert_camera(*camera);
+    result.width = settings.width;
+    result.height = settings.height;
+    result.view.crop = convert_crop(settings);
+    result.view.samples = settings.samples == 0 ? 16 : settings.samples;
+    result.view.exposure = number(settings.exposure, 1, 0, 1e30F, "exposure is out of range");
+    result.view.film_transparent = settings.film_transparent != 0;
+    result.filter_type = static_cast<FilterType>(settings.filter_type);
+    result.filter_width = number(settings.filter_width, 1.5F, 0.01F, 100, "filter_width is out of range");
+    result.quality = number(settings.quality, 0.02F, 0.001F, 1, "quality is out of range");
+    // More threads than cores would only make TBB print a warning.
+    result.threads = std::min(settings.threads, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+    return result;
+}
+
+}  // namespace gg

@@ -1,0 +1,38 @@
+#include "render/pipeline.h"
+
+#include "core/control.h"
+#include "core/parallel.h"
+#include "core/statistics.h"
+#include "radiosity/solution.h"
+#include "render/prepared_scene.h"
+
+namespace gg {
+
+void render(SceneCache& cache, const RenderSettings& settings, Film& film, Control& control, Messages& messages,
+            Statistics& statistics) {
+    run_with_threads(settings.threads, [&] {
+        statistics.set_bytes("film", static_cast<double>(film.bytes()));
+        const auto prepared = prepare_scene(cache, control, messages, statistics);
+
+        control.begin_stage("lighting", 0.75F);
+        const auto solution = solve_lighting(cache, *prepared, settings.quality, control, statistics);
+
+        control.begin_stage("picture", 1.0F);
+        const StageTimer timer(statistics, "picture");
+        const IrradianceAt irradiance_at = [&](const Hit& hit, bool back) {
+            return interpolated_irradiance(*solution, hit.instance, hit.triangle, back, {hit.u, hit.v});
+        };
+        const View view{prepared->scene,
+                        *prepared->tracer,
+                        *prepared->colors,
+                        irradiance_at,
+                        PixelCamera(settings.camera, settings.width, settings.height),
+                        PixelFilter(settings.filter_type, settings.filter_width),
+                        settings.view};
+        const ViewCounts counts = render_view(view, film, control);
+        statistics.set_count("coverage samples", static_cast<double>(counts.samples));
+        statistics.set_count("dropped samples", static_cast<double>(counts.dropped));
+    });
+}
+
+}  // namespace gg

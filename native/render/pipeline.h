@@ -1,0 +1,33 @@
+// The pipeline on one page: description -> scene -> lighting -> picture.
+#pragma once
+
+#include <cstdint>
+
+#include "film/pixel_filter.h"
+#include "film/solution_view.h"
+#include "scene/description.h"
+
+namespace gg {
+
+class Control;
+class Film;
+class Messages;
+class Statistics;
+struct SceneCache;
+
+struct RenderSettings {
+    CameraDescription camera;
+    std::uint32_t width = 1, height = 1;  // of the full picture, pixels
+    ViewSettings view;
+    FilterType filter_type = FilterType::kBlackmanHarris;
+    float filter_width = 1.5F;  // pixels
+    float quality = 0.02F;      // see SolveSettings
+    int threads = 0;            // 0: all cores
+};
+
+// Fills the film, which has the size of settings.view.crop. Throws Cancelled or Error; statistics and messages then
+// hold what was found until there.
+void render(SceneCache& cache, const RenderSettings& settings, Film& film, Control& control, Messages& messages,
+            Statistics& statistics);
+
+}  // namespace gg
