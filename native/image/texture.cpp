@@ -204,7 +204,7 @@ Rgb TextureSet::lookup(std::uint32_t image, Vec2 uv, float width) const {
     const Vec2 inside(fold(uv.x, texture.wrap), fold(uv.y, texture.wrap));
     const bool repeat = texture.wrap == Wrap::kRepeat;
     const MipLevel& finest = pyramid.levels.front();
-    const float texels = width * static_cast<float>(std::max(finest.width, finest.height));
+    const float texels = width * static_cast<float>(resolution(image));
     if (!(texels > 1.0F)) {
         return texture.closest ? nearest(pyramid, finest, inside) : bilinear(pyramid, finest, inside, repeat);
     }
@@ -214,6 +214,11 @@ Rgb TextureSet::lookup(std::uint32_t image, Vec2 uv, float width) const {
     const float weight = level - static_cast<float>(lower);
     const Rgb fine = bilinear(pyramid, pyramid.levels[lower], inside, repeat);
     return weight > 0 ? glm::mix(fine, bilinear(pyramid, pyramid.levels[lower + 1], inside, repeat), weight) : fine;
+}
+
+std::uint32_t TextureSet::resolution(std::uint32_t image) const {
+    const MipLevel& finest = textures_[image].pyramid.levels.front();
+    return std::max(finest.width, finest.height);
 }
 
 std::size_t TextureSet::memory_bytes() const {

@@ -47,6 +47,8 @@ class TextureSet {
     // Linear colour of image (< size()) at uv, (0, 0) the lower left corner, averaged over about a square of side
     // `width` in uv; 0: the finest level. Finite; negative only where the source is. Black where uv is not finite.
     [[nodiscard]] Rgb lookup(std::uint32_t image, Vec2 uv, float width) const;
+    // Texels along the longer side of image's finest level.
+    [[nodiscard]] std::uint32_t resolution(std::uint32_t image) const;
     [[nodiscard]] std::size_t memory_bytes() const;
 
     static constexpr std::size_t kDefaultMemoryLimit = std::size_t{4} << 30;

@@ -11,7 +11,12 @@ namespace gg {
 namespace {
 
 constexpr Rgb kDefaultGrey{0.8F};
-constexpr int kStrata = 4;  // a side: 16 samples a triangle
+
+// Strata a side of a triangle whose longest side in the image is so many texels. Small triangles of dense meshes need
+// few.
+int strata_for(float texels) {
+    return texels <= 1 ? 1 : (texels <= 4 ? 2 : 4);
+}
 
 }  // namespace
 
@@ -69,17 +74,20 @@ Rgb SurfaceColors::mean_color(const Input& input, Vec2 a, Vec2 b, Vec2 c) const 
     }
     const Vec2 ab = b - a;
     const Vec2 ac = c - a;
-    const float area = 0.5F * std::abs(ab.x * ac.y - ab.y * ac.x);
-    const float width = std::sqrt(area) / kStrata;
+    const Vec2 bc = c - b;
+    const float longest = std::sqrt(std::max({dot(ab, ab), dot(ac, ac), dot(bc, bc)}));
+    const int strata = strata_for(longest * input.stretch * static_cast<float>(textures_->resolution(input.image)));
+    const float side = static_cast<float>(strata);
+    const float width = std::sqrt(0.5F * std::abs(ab.x * ac.y - ab.y * ac.x)) / side;
     Rgb sum(0);
-    for (int row = 0; row < kStrata; ++row) {
-        for (int column = 0; column < kStrata; ++column) {
-            const Vec3 weights = square_to_triangle((static_cast<float>(column) + 0.5F) / kStrata,
-                                                    (static_cast<float>(row) + 0.5F) / kStrata);
+    for (int row = 0; row < strata; ++row) {
+        for (int column = 0; column < strata; ++column) {
+            const Vec3 weights =
+                square_to_triangle((static_cast<float>(column) + 0.5F) / side, (static_cast<float>(row) + 0.5F) / side);
             sum += color_at(input, weights.x * a + weights.y * b + weights.z * c, width);
         }
     }
-    return sum / static_cast<float>(kStrata * kStrata);
+    return sum / (side * side);
 }
 
 Rgb SurfaceColors::reflectance_at(std::uint32_t material, Vec2 uv, float width) const {

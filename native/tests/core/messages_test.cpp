@@ -27,12 +27,12 @@ TEST(Messages, equal_object_and_text_are_counted_not_repeated) {
 TEST(Messages, none_is_lost_between_threads) {
     Messages messages;
     run_with_threads(7, [&] {
-        parallel_for(10000, 10, Control{}, [&](std::size_t index) { messages.add("x", index % 2 ? "odd" : "even"); });
+        parallel_for(200000, 100, Control{}, [&](std::size_t index) { messages.add("x", index % 2 ? "odd" : "even"); });
     });
     const std::vector<Message> all = messages.all();
     ASSERT_EQ(all.size(), 2U);
-    EXPECT_EQ(all[0].count, 5000U);
-    EXPECT_EQ(all[1].count, 5000U);
+    EXPECT_EQ(all[0].count, 100000U);
+    EXPECT_EQ(all[1].count, 100000U);
 }
 
 }  // namespace

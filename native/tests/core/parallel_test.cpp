@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 
@@ -44,6 +45,20 @@ TEST(Parallel, ordered_reduce_gives_the_same_bytes_for_1_2_and_7_threads) {
             EXPECT_EQ(std::memcmp(&one, &other, sizeof(float)), 0);
         }
     }
+}
+
+TEST(Parallel, ordered_reduce_adds_every_term_once) {
+    const auto sum = ordered_reduce<std::size_t>(
+        1001, 10, Control{}, 0,
+        [](std::size_t begin, std::size_t end) {
+            std::size_t part = 0;
+            for (std::size_t index = begin; index < end; ++index) {
+                part += index;
+            }
+            return part;
+        },
+        std::plus<>());
+    EXPECT_EQ(sum, 1000U * 1001U / 2);
 }
 
 TEST(Parallel, ordered_reduce_of_nothing_is_the_initial_value) {

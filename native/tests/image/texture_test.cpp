@@ -164,6 +164,13 @@ TEST(Texture, one_texel_is_its_colour_everywhere) {
     }
 }
 
+TEST(Texture, resolution_is_the_longer_side_of_what_is_stored) {
+    const Pixels pixels(2, 4, std::vector<float>(8, 0.2F));
+    Messages messages;
+    EXPECT_EQ(make_set(pixels.source, messages).resolution(0), 4U);
+    EXPECT_EQ(make_set(pixels.source, messages, 20).resolution(0), 2U);
+}
+
 TEST(Texture, byte_like_pixels_take_a_byte_each) {
     const Pixels bytes(4, 4, std::vector<float>(16, 51 / 255.0F));
     const Pixels floats(4, 4, std::vector<float>(16, 51.4F / 255.0F));
