@@ -7,8 +7,9 @@ import addon_utils
 import bpy
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))
-from capture import CaptureEngine
+ROOT = Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(ROOT / "blender_tests"), str(ROOT / "scenes")]
+from capture import CaptureEngine  # noqa: E402 (needs the path)
 
 
 @pytest.fixture(scope="session", autouse=True)

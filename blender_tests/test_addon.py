@@ -7,14 +7,13 @@ import addon_utils
 import bpy
 import pytest
 from gridgather import bl_info, interface, messages, panels
+from gridgather.compat import hides_shader_nodes
+from nodeitems_utils import node_categories_iter
 
 
 def shared_panels():
-    return {
-        panel.__name__
-        for panel in bpy.types.Panel.__subclasses__()
-        if "GRIDGATHER" in getattr(panel, "COMPAT_ENGINES", ())
-    }
+    every = bpy.types.Panel.__subclasses__()
+    return {panel.__name__ for panel in every if "GRIDGATHER" in getattr(panel, "COMPAT_ENGINES", ())}
 
 
 def test_unregister_undoes_register(scene):
@@ -34,14 +33,8 @@ def test_unregister_undoes_register(scene):
 
 
 def test_panels_of_blender_are_shared():
-    wanted = {
-        "RENDER_PT_format",
-        "RENDER_PT_output",
-        "RENDER_PT_color_management",
-        "DATA_PT_lens",
-        "DATA_PT_context_light",
-    }
-    assert wanted <= shared_panels()
+    assert {"RENDER_PT_format", "RENDER_PT_output", "RENDER_PT_color_management"} <= shared_panels()
+    assert {"DATA_PT_lens", "DATA_PT_context_light", "WORLD_PT_context_world"} <= shared_panels()
     assert "DATA_PT_light" not in shared_panels()
 
 
@@ -86,15 +79,13 @@ def test_panels_taken_from_cycles(name):
 
 
 def test_shader_nodes_can_be_added():
-    from gridgather.compat import hides_shader_nodes
-    from nodeitems_utils import node_categories_iter, node_items_iter
-
-    if hides_shader_nodes():
-        context = SimpleNamespace(engine="GRIDGATHER", space_data=SimpleNamespace(tree_type="ShaderNodeTree"))
-        own = [category for category in node_categories_iter(context) if category.identifier == "GRIDGATHER"]
-        assert len(own) == 1
-        assert "ShaderNodeBsdfPrincipled" in {item.nodetype for item in own[0].items(context)}
-        assert node_items_iter
+    editor = SimpleNamespace(type="NODE_EDITOR", tree_type="ShaderNodeTree")
+    context = SimpleNamespace(engine="GRIDGATHER", space_data=editor)
+    own = [category for category in node_categories_iter(context) if category.identifier == "GRIDGATHER"]
+    assert len(own) == hides_shader_nodes()
+    for category in own:
+        assert "ShaderNodeBsdfPrincipled" in {item.nodetype for item in category.items(context)}
+        assert not category.poll(SimpleNamespace(engine="CYCLES", space_data=editor))
 
 
 def test_manifest_and_bl_info_agree():

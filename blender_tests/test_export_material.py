@@ -7,6 +7,7 @@ from building import add, link, material, quad, surface
 from capture import export
 from gridgather.description import EXTENSION_CLIP, FILTER_CLOSEST, IDENTITY_UV, NONE
 from gridgather.export.blackbody import blackbody
+from pictures import cycles_pixels
 
 BLACK = (0, 0, 0)
 
@@ -237,16 +238,8 @@ def rendered_by_cycles(scene, source):
     mesh = quad(size=100)
     mesh.materials.append(source)
     link(mesh)
-    scene.render.engine, scene.cycles.samples, scene.cycles.use_denoising = "CYCLES", 1, False
     scene.render.resolution_x = scene.render.resolution_y = 4
-    scene.render.image_settings.file_format, scene.render.image_settings.color_depth = "OPEN_EXR", "32"
-    path = bpy.app.tempdir + "blackbody.exr"
-    scene.render.filepath = path
-    bpy.ops.render.render(write_still=True)
-    image = bpy.data.images.load(path)
-    pixels = np.empty(4 * 4 * 4, np.float32)
-    image.pixels.foreach_get(pixels)
-    return pixels[:3]
+    return cycles_pixels(scene, 1)[0, 0, :3]
 
 
 def textured(source, extension="REPEAT", interpolation="Linear", **mapping):

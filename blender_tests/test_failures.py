@@ -77,9 +77,8 @@ def test_panoramic_camera(blender):
         "engine.upload",  # in render(), before the library runs
         "session.Render.wait",  # while it runs
         "session.Render.statistics",  # after it
+        "engine.write_pixels",  # while its tiles are shown
         "messages.keep",  # in the last clean-up
-        "engine.GridgatherEngine.update_stats",
-        "engine.GridgatherEngine.begin_result",
     ],
 )
 def test_exception_in_a_callback(blender, broken, file_format):
@@ -94,6 +93,31 @@ setattr({owner}, "{name}", broken)
     assert blender(script, file_format) == 1, blender.output
     assert blender.pictures == []
     assert "Gridgather failed: ValueError: broken on purpose" in blender.output
+
+
+@pytest.mark.parametrize("where", ["engine.export_frame", "session.Scene.start", "session.Render.wait"])
+def test_break_event_ends_the_render_soon(blender, where):
+    """Blender in the background takes the first interrupt for the Esc key."""
+    owner, name = where.rsplit(".", 1)
+    script = f"""
+import os, signal, time
+import gridgather
+from gridgather import engine, session
+original = {where}
+def interrupted(*args, **kwargs):
+    setattr({owner}, "{name}", original)
+    os.kill(os.getpid(), signal.SIGINT)
+    return original(*args, **kwargs)
+setattr({owner}, "{name}", interrupted)
+bpy.context.scene.render.resolution_x = bpy.context.scene.render.resolution_y = 4000
+bpy.context.scene.gridgather.samples = 256
+start = time.perf_counter()
+bpy.app.handlers.render_cancel.append(lambda *_: print("CANCELLED AFTER", time.perf_counter() - start))
+"""
+    blender(script)
+    assert "Error" not in blender.output and "Traceback" not in blender.output
+    seconds = float(blender.output.split("CANCELLED AFTER")[1].split()[0])
+    assert seconds < 5
 
 
 def test_script_that_renders_gets_an_exception(blender):

@@ -9,7 +9,10 @@ import pytest
 
 NATIVE = Path(__file__).parents[1] / "native"
 # Highest first; include/ is the face that all may see, apps, bench and tests stand outside.
-LAYERS = "api render gather film radiosity transport trace material scene image perception core".split()
+LAYERS = (
+    *("api", "render", "gather", "film", "radiosity", "transport"),
+    *("trace", "material", "scene", "image", "perception", "core"),
+)
 # Library -> where alone it may be included.
 FENCES = {
     "embree3/": "trace/",

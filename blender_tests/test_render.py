@@ -1,13 +1,17 @@
 """F12: pictures, statistics, messages, cancelling."""
 
+import ctypes
 import json
-import time
+import re
+from pathlib import Path
+from types import SimpleNamespace
 
 import bpy
 import numpy as np
 import pytest
 from building import add, lamp, link, material, quad, surface
-from gridgather import engine, messages
+from gridgather import engine, interface, messages
+from pictures import render_pixels
 
 
 @pytest.fixture
@@ -20,66 +24,48 @@ def lit(scene):
     return scene
 
 
-def rendered(scene, tmp_path, name="picture.exr"):
-    """float32 (height, width, 4) of F12, bottom row first."""
-    scene.render.filepath = str(tmp_path / name)
-    scene.render.image_settings.file_format = "OPEN_EXR"
-    scene.render.image_settings.color_mode, scene.render.image_settings.color_depth = "RGBA", "32"
-    bpy.ops.render.render(write_still=True)
-    return pixels_of(scene.render.filepath)
-
-
-def pixels_of(path):
-    image = bpy.data.images.load(path)
-    width, height = image.size
-    pixels = np.empty(width * height * 4, np.float32)
-    image.pixels.foreach_get(pixels)
-    bpy.data.images.remove(image)
-    return pixels.reshape(height, width, 4)
-
-
-def test_sun_of_irradiance_pi_on_a_half_grey_floor_is_half(lit, tmp_path):
-    pixels = rendered(lit, tmp_path)
+def test_sun_of_irradiance_pi_on_a_half_grey_floor_is_half(lit):
+    pixels = render_pixels(lit, "GRIDGATHER")
     assert pixels.shape == (48, 64, 4)
     assert pixels[..., :3] == pytest.approx(np.full((48, 64, 3), 0.5), rel=0.01)
 
 
-def test_statistics_by_view_layer(lit, tmp_path):
+def test_statistics_by_view_layer(lit):
     lit.view_layers.new("Second")
-    rendered(lit, tmp_path)
+    render_pixels(lit, "GRIDGATHER")
     statistics = json.loads(lit.gridgather_statistics)
     assert set(statistics) == {"ViewLayer", "Second"}
     for layer in statistics.values():
         assert {"export", "upload"} < set(layer["stages"]) and layer["counts"]
-    assert "gridgather_statistics" not in lit.keys()
+    assert "gridgather_statistics" not in lit
     with pytest.raises(AttributeError):
         lit.gridgather_statistics = "{}"
 
 
-def test_statistics_of_a_layer_that_is_off_are_not_kept(lit, tmp_path):
+def test_statistics_of_a_layer_that_is_off_are_not_kept(lit):
     lit.view_layers.new("Second")
-    rendered(lit, tmp_path)
+    render_pixels(lit, "GRIDGATHER")
     lit.view_layers["Second"].use = False
-    rendered(lit, tmp_path)
+    render_pixels(lit, "GRIDGATHER")
     assert set(json.loads(lit.gridgather_statistics)) == {"ViewLayer"}
 
 
-def test_statistics_are_in_the_metadata_of_the_file(lit, tmp_path):
-    rendered(lit, tmp_path)
-    content = (tmp_path / "picture.exr").read_bytes()
+def test_statistics_are_in_the_metadata_of_the_file(lit):
+    render_pixels(lit, "GRIDGATHER")
+    content = Path(lit.render.filepath).read_bytes()
     assert b"gridgather_statistics" in content
     assert lit.gridgather_statistics.encode() in content
 
 
 @pytest.mark.parametrize("crop", [False, True])
-def test_border_is_part_of_the_whole_picture(lit, tmp_path, crop):
+def test_border_is_part_of_the_whole_picture(lit, crop):
     lit.world = bpy.data.worlds.new("World")
     link(quad("Small", size=2), location=(1, 1, 2))
-    whole = rendered(lit, tmp_path)
+    whole = render_pixels(lit, "GRIDGATHER")
     render = lit.render
     render.use_border, render.use_crop_to_border = True, crop
     render.border_min_x, render.border_max_x, render.border_min_y, render.border_max_y = 0.3, 0.72, 0.26, 0.9
-    part = rendered(lit, tmp_path, "part.exr")
+    part = render_pixels(lit, "GRIDGATHER")
     inside = (slice(12, 43), slice(19, 46))
     if not crop:
         outside = part.copy()
@@ -89,23 +75,23 @@ def test_border_is_part_of_the_whole_picture(lit, tmp_path, crop):
     assert np.array_equal(part, whole[inside])
 
 
-def test_transparent_film(scene, tmp_path):
+def test_transparent_film(scene):
     scene.world = bpy.data.worlds.new("World")
     scene.world.use_nodes, scene.world.color = False, (0.5, 0.5, 0.5)
     link(quad(size=1))
-    opaque = rendered(scene, tmp_path)
+    opaque = render_pixels(scene, "GRIDGATHER")
     scene.render.film_transparent = True
-    clear = rendered(scene, tmp_path)
+    clear = render_pixels(scene, "GRIDGATHER")
     assert opaque[0, 0, 3] == 1 and clear[0, 0].tolist() == [0, 0, 0, 0]
     assert clear[24, 32, 3] == pytest.approx(1) and clear[24, 32, 0] == pytest.approx(opaque[24, 32, 0], rel=1e-3)
 
 
-def test_same_scene_gives_the_same_pixels(lit, tmp_path):
+def test_same_scene_gives_the_same_pixels(lit):
     lit.world = bpy.data.worlds.new("World")
     link(quad("Small", size=2), location=(1, 1, 2))
-    first = rendered(lit, tmp_path)
+    first = render_pixels(lit, "GRIDGATHER")
     lit.render.threads_mode, lit.render.threads = "FIXED", 1
-    assert np.array_equal(rendered(lit, tmp_path), first)
+    assert np.array_equal(render_pixels(lit, "GRIDGATHER"), first)
 
 
 def glass(scene):
@@ -117,52 +103,116 @@ def glass(scene):
 
 
 @pytest.fixture
-def reports(monkeypatch):
-    """What renders report, as (kinds, text)."""
-    found = []
-    monkeypatch.setattr(engine.GridgatherEngine, "report", lambda _, kinds, text: found.append((kinds, text)), False)
-    return found
+def printed(capfd):
+    """A function: what Blender itself wrote since the last call."""
+
+    def read():
+        ctypes.CDLL(None).fflush(None)
+        return capfd.readouterr().out
+
+    return read
 
 
-def test_problems_are_reported_once_and_kept(lit, tmp_path, reports):
+def test_problems_are_reported_once_and_kept(lit, printed):
     glass(lit)
-    rendered(lit, tmp_path)
-    ((kinds, text),) = reports
-    assert kinds == {"WARNING"} and "Pane" in text and "Glass BSDF" in text
+    render_pixels(lit, "GRIDGATHER")
+    assert printed().count("Pane: node Glass BSDF") == 1
     ((name, problem, count),) = messages.of_scene(lit)
     assert name == "Pane" and "Glass BSDF" in problem and count == 1
-    rendered(lit, tmp_path)
-    assert len(reports) == 1
-    bpy.data.materials["Pane"].node_tree.nodes.remove(bpy.data.materials["Pane"].node_tree.nodes["Glass BSDF"])
-    rendered(lit, tmp_path)
+    render_pixels(lit, "GRIDGATHER")
+    assert "Pane" not in printed()
+    nodes = bpy.data.materials["Pane"].node_tree.nodes
+    nodes.remove(nodes["Glass BSDF"])
+    render_pixels(lit, "GRIDGATHER")
     assert messages.of_scene(lit) == []
 
 
-def test_loading_a_file_forgets(lit, tmp_path):
+def test_loading_a_file_forgets(lit):
     glass(lit)
-    rendered(lit, tmp_path)
+    render_pixels(lit, "GRIDGATHER")
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     assert messages.of_scene(bpy.context.scene) == [] and bpy.context.scene.gridgather_statistics == ""
 
 
-@pytest.mark.parametrize("after", [0, 1, 2])
-def test_cancel_during_export_and_render(lit, monkeypatch, reports, after):
-    """test_break() is asked once during the export of this scene, then by the render loop."""
-    asked = []
-    monkeypatch.setattr(engine.GridgatherEngine, "test_break", lambda _: asked.append(0) or len(asked) > after, False)
-    lit.render.resolution_x = lit.render.resolution_y = 4000
-    lit.gridgather.samples = 256
-    start = time.perf_counter()
-    bpy.ops.render.render()
-    assert time.perf_counter() - start < 5
-    assert [text for kinds, text in reports if "ERROR" in kinds] == []
-    assert lit.gridgather_statistics == ""
+def test_stages_are_shown(lit, printed):
+    render_pixels(lit, "GRIDGATHER")
+    stages = re.findall(r"Time:\S+ \| (.+)", printed())
+    assert stages[0] == "Exporting" and any("Memory" in stage for stage in stages[1:])
 
 
-def test_progress_and_stages_are_shown(lit, tmp_path, monkeypatch):
-    fractions, stages = [], []
-    monkeypatch.setattr(engine.GridgatherEngine, "update_progress", lambda _, value: fractions.append(value), False)
-    monkeypatch.setattr(engine.GridgatherEngine, "update_stats", lambda _, __, text: stages.append(text), False)
-    rendered(lit, tmp_path)
-    assert fractions == sorted(fractions) and fractions[-1] == 1
-    assert stages[0] == "Exporting" and len(stages) > 1 and all(stages)
+class FakeEngine:
+    """What GridgatherEngine._wait asks of Blender."""
+
+    def __init__(self, breaks_after=10**9):
+        self.fractions, self.stages, self.updates, self.breaks_after = [], [], 0, breaks_after
+
+    def test_break(self):
+        self.breaks_after -= 1
+        return self.breaks_after < 0
+
+    def update_progress(self, fraction):
+        self.fractions.append(fraction)
+
+    def update_stats(self, _, text):
+        self.stages.append(text)
+
+    def update_memory_stats(self, memory_used, memory_peak):
+        assert 0 <= memory_used <= memory_peak
+
+    def update_result(self, result):
+        self.updates += 1
+
+
+class FakeRender:
+    """A render that finishes one of its four rows a call, or when cancelled."""
+
+    def __init__(self):
+        self.rows, self.cancelled = 0, False
+
+    def wait(self, seconds):
+        assert 0.02 <= seconds <= 0.05
+        self.rows += not self.cancelled
+        status = interface.CANCELLED if self.cancelled else interface.OK
+        done = self.cancelled or self.rows == 4
+        return interface.Progress(
+            finished=done, status=status, fraction=self.rows / 4, stage=f"Row {self.rows}".encode()
+        )
+
+    def cancel(self):
+        self.cancelled = True
+
+    def copy_finished_tiles(self, pixels):
+        pixels[: self.rows] = 1
+        return True
+
+
+def waited(monkeypatch, fake, render):
+    """(status, pixels that Blender got) of the engine's loop."""
+    got = []
+    monkeypatch.setattr(engine, "write_pixels", lambda _, pixels: got.append(pixels.copy()))
+    result = SimpleNamespace(layers=[SimpleNamespace(passes={"Combined": None})])
+    status = engine.GridgatherEngine._wait(fake, render, result, np.zeros((4, 2, 4), np.float32))
+    return status, got
+
+
+def test_loop_shows_progress_and_ends_with_the_whole_picture(monkeypatch):
+    fake = FakeEngine()
+    status, got = waited(monkeypatch, fake, FakeRender())
+    assert status == interface.OK and got[-1].all()
+    assert fake.fractions == [0.25, 0.5, 0.75, 1.0] and fake.updates == len(got)
+    assert [stage.split(" | ")[0] for stage in fake.stages] == ["Row 1", "Row 2", "Row 3", "Row 4"]
+
+
+def test_loop_copies_seldom_while_it_runs(monkeypatch):
+    _, got = waited(monkeypatch, FakeEngine(), FakeRender())
+    assert len(got) == 1
+    monkeypatch.setattr(engine, "_REDRAW_SECONDS", -1.0)
+    _, got = waited(monkeypatch, FakeEngine(), FakeRender())
+    assert [pixels[:, 0, 0].sum() for pixels in got] == [1, 2, 3, 4]
+
+
+def test_loop_passes_a_cancel_on_and_keeps_what_is_done(monkeypatch):
+    render = FakeRender()
+    status, got = waited(monkeypatch, FakeEngine(breaks_after=1), render)
+    assert render.cancelled and status == interface.CANCELLED
+    assert got[-1][:, 0, 0].tolist() == [1, 1, 0, 0]

@@ -68,6 +68,6 @@ def check_truth(name):
     spec = OpenImageIO.ImageBuf(str(path)).spec()
     made_for, samples = spec.get_string_attribute("scene_hash"), spec.get_int_attribute("cycles_samples")
     if made_for != scene_hash(name):
-        raise SceneError(f"{name}: the kept truth ({samples} samples) is of scene {made_for}, but the scripts now build "
-                         f"{scene_hash(name)}; make it anew with scenes/truth {name}")
+        raise SceneError(f"{name}: the kept truth ({samples} samples) is of scene {made_for}, but the scripts now "
+                         f"build {scene_hash(name)}; make it anew with scenes/truth {name}")
     return path

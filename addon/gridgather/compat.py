@@ -3,6 +3,8 @@
 What a version has is asked of the data itself, so that releases in between need no entry here.
 """
 
+import math
+
 import bpy
 import numpy as np
 
@@ -29,10 +31,18 @@ def node_tree(block):
 
 
 def light_factor(light, area: float) -> tuple[float, float, float]:
-    """What exposure, temperature and normalization (all since 4.5) multiply a lamp's power by."""
+    """What a lamp's power is multiplied by to have the library's units: those of Cycles 3.4, but an exact sun.
+
+    Since 4.5 lamps have exposure, temperature, and a switch (off) for power by `area`, see export.light.area().
+    """
     scale = 2.0 ** getattr(light, "exposure", 0.0)
     if not getattr(light, "normalize", True):
         scale *= area
+    if light.type == "AREA" and bpy.app.version >= (4, 0, 0):
+        scale *= 4 / math.pi  # radiance is power / (pi area); power / (4 area) before
+    if light.type == "SUN" and bpy.app.version < (4, 0, 0):
+        cosine = math.cos(light.angle / 2)
+        scale *= 2 * cosine / (1 + cosine)  # the mean cosine over a flat disk at distance 1 that covers the sun
     warm = light.temperature_color if getattr(light, "use_temperature", False) else (1.0, 1.0, 1.0)
     return tuple(scale * channel for channel in warm)
 

@@ -1,6 +1,7 @@
 // Numbers that look random but are functions of (stable id, sample, dimension) alone.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "core/vec.h"
@@ -20,22 +21,39 @@ namespace gg {
 // [0, 1) from the upper 24 bits.
 [[nodiscard]] constexpr float unit_float(std::uint64_t bits) { return static_cast<float>(bits >> 40) * 0x1p-24F; }
 
-// Additive recurrences with the plastic numbers of 1, 2 and 4 dimensions: every prefix is evenly spread and all
-// one-dimensional projections are distinct [Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"].
-// `seed` shifts the whole sequence on the torus.
-struct Sequence4 {
-    explicit Sequence4(std::uint64_t seed)
-        : state{static_cast<std::uint32_t>(hash64(seed) >> 32), static_cast<std::uint32_t>(hash64(seed)),
-                static_cast<std::uint32_t>(hash64(seed, 1) >> 32), static_cast<std::uint32_t>(hash64(seed, 1))} {}
-
-    // Sample `index`, dimension 0..3, in [0, 1).
-    [[nodiscard]] float operator()(std::uint32_t index, int dimension) const {
-        constexpr std::uint32_t kStep[4] = {3679390609U, 3152041523U, 2700274805U, 2313257605U};  // 2^32 / phi_4^(d+1)
-        return static_cast<float>((state[dimension] + (index + 1) * kStep[dimension]) >> 8) * 0x1p-24F;
+// Additive recurrences with the generalised golden ratio of N dimensions, phi^(N+1) = phi + 1: every prefix is evenly
+// spread and all one-dimensional projections are distinct [Roberts 2018, "The unreasonable effectiveness of quasirandom
+// sequences"]. `seed` shifts the whole sequence on the torus. Two sequences with different seeds are shifted copies of
+// each other: what shall be independent must be dimensions of one.
+template <int N>
+class AdditiveSequence {
+  public:
+    explicit AdditiveSequence(std::uint64_t seed) {
+        for (int d = 0; d < N; ++d) {
+            state_[d] = static_cast<std::uint32_t>(hash64(seed, static_cast<std::uint64_t>(d)) >> 32);
+        }
     }
 
-    std::uint32_t state[4];
+    // Sample `index`, dimension 0..N-1, in [0, 1).
+    [[nodiscard]] float operator()(std::uint32_t index, int dimension) const {
+        return static_cast<float>((state_[dimension] + (index + 1) * kStep[dimension]) >> 8) * 0x1p-24F;
+    }
+
+  private:
+    // 2^32 / phi^(d+1)
+    static constexpr std::array<std::uint32_t, N> kStep = [] {
+        if constexpr (N == 4) {
+            return std::array<std::uint32_t, 4>{3679390609U, 3152041523U, 2700274806U, 2313257605U};
+        } else {
+            static_assert(N == 6);
+            return std::array<std::uint32_t, 6>{3859688306U, 3468523226U, 3117001274U, 2801104767U, 2517223199U, 2262111973U};
+        }
+    }();
+    std::array<std::uint32_t, N> state_{};
 };
+
+using Sequence4 = AdditiveSequence<4>;
+using Sequence6 = AdditiveSequence<6>;
 
 // Uniform point of the unit disk from the unit square, low distortion [Shirley and Chiu 1997].
 [[nodiscard]] inline Vec2 square_to_disk(float u, float v) {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/messages.h"
-#include "core/random.h"
 
 namespace gg {
 
@@ -12,10 +11,10 @@ namespace {
 
 constexpr Rgb kDefaultGrey{0.8F};
 
-// Strata a side of a triangle whose longest side in the image is so many texels. Small triangles of dense meshes need
-// few.
+// Parts of each side of a triangle whose longest side in the image is so many texels. Small triangles of dense meshes
+// need few.
 int strata_for(float texels) {
-    return texels <= 1 ? 1 : (texels <= 4 ? 2 : 4);
+    return texels <= 0.5F ? 1 : (texels <= 3 ? 2 : 4);
 }
 
 }  // namespace
@@ -77,17 +76,20 @@ Rgb SurfaceColors::mean_color(const Input& input, Vec2 a, Vec2 b, Vec2 c) const 
     const Vec2 bc = c - b;
     const float longest = std::sqrt(std::max({dot(ab, ab), dot(ac, ac), dot(bc, bc)}));
     const int strata = strata_for(longest * input.stretch * static_cast<float>(textures_->resolution(input.image)));
-    const float side = static_cast<float>(strata);
-    const float width = std::sqrt(0.5F * std::abs(ab.x * ac.y - ab.y * ac.x)) / side;
+    const float step = 1 / static_cast<float>(strata);
+    const float width = std::sqrt(0.5F * std::abs(ab.x * ac.y - ab.y * ac.x)) * step;
+    // The triangle is cut into strata^2 equal ones, some upright, some turned; each is sampled at its centre.
     Rgb sum(0);
     for (int row = 0; row < strata; ++row) {
-        for (int column = 0; column < strata; ++column) {
-            const Vec3 weights =
-                square_to_triangle((static_cast<float>(column) + 0.5F) / side, (static_cast<float>(row) + 0.5F) / side);
-            sum += color_at(input, weights.x * a + weights.y * b + weights.z * c, width);
+        for (int column = 0; column < strata - row; ++column) {
+            const Vec2 corner = a + step * (static_cast<float>(column) * ab + static_cast<float>(row) * ac);
+            sum += color_at(input, corner + step / 3 * (ab + ac), width);
+            if (column + 1 < strata - row) {
+                sum += color_at(input, corner + 2 * step / 3 * (ab + ac), width);
+            }
         }
     }
-    return sum / (side * side);
+    return sum * step * step;
 }
 
 Rgb SurfaceColors::reflectance_at(std::uint32_t material, Vec2 uv, float width) const {

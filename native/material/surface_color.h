@@ -26,8 +26,8 @@ class SurfaceColors {
     [[nodiscard]] Rgb reflectance_at(std::uint32_t material, Vec2 uv, float width) const;  // 0..kLargestReflectance
     [[nodiscard]] Rgb emission_at(std::uint32_t material, Vec2 uv, float width) const;     // radiance, W/(m2 sr), >= 0
 
-    // Averages over the triangle a, b, c in the surface's texture coordinates: 16 stratified samples, each filtered
-    // over its share of the triangle. Constant colours return at once.
+    // Averages over the triangle a, b, c in the surface's texture coordinates: 16 parts of it are sampled (fewer
+    // where it covers few texels), each filtered over its share. Constant colours return at once.
     [[nodiscard]] Rgb mean_reflectance(std::uint32_t material, Vec2 a, Vec2 b, Vec2 c) const;
     [[nodiscard]] Rgb mean_emission(std::uint32_t material, Vec2 a, Vec2 b, Vec2 c) const;
 

@@ -58,6 +58,7 @@ void Lighting::grow(const Control& control) {
     const std::size_t old = radiosity_.size();
     radiosity_.resize(nodes.size());
     irradiance_.resize(nodes.size(), Rgb(0.0F));
+    spread_.resize(nodes.size());
     area_.resize(nodes.size());
     slot_.resize(nodes.size(), kNone);
     leaf_slot_.resize(nodes.size(), kNone);
@@ -146,7 +147,7 @@ void Lighting::gather(NodeId receiver) {
         }
         Rgb arriving;
         if (link.near) {
-            const bool one_sided = to.kind != NodeKind::kElement && link.sender != receiver && link.shape != Vec3(0.0F);
+            const bool one_sided = link.sender != receiver && link.shape != Vec3(0.0F);
             arriving = factor * (one_sided ? radiosity_towards(link.sender, -link.shape) : radiosity_[link.sender]);
         } else if (is_cluster(from)) {
             const Vec3 towards = normalize_or_zero(to.center - from.center);
@@ -156,7 +157,7 @@ void Lighting::gather(NodeId receiver) {
         }
         if (to.kind == NodeKind::kElement) {
             for (int k = 0; k < 3; ++k) {
-                corners[k] += link.shape[k] * arriving;
+                corners[k] += (link.near ? 1.0F : link.shape[k]) * arriving;
             }
         } else if (link.near) {
             form.coefficients[0] += arriving;
@@ -209,6 +210,7 @@ void Lighting::pull(NodeId id) {
     if (node.child_count == 0) {
         if (node.kind == NodeKind::kElement) {
             radiosity_[id] = node.emission + node.reflectance * irradiance_[id];
+            spread_[id] = 0;
             return;
         }
         const LeafCluster& leaf = leaves_[leaf_slot_[id]];
@@ -218,17 +220,20 @@ void Lighting::pull(NodeId id) {
         const Rgb reflected = glm::max(leaf.reflect.reflected_power(light), Rgb(0.0F));
         const auto inverse_area = static_cast<float>(1.0 / std::max(leaf.area, 1e-30));
         radiosity_[id] = (leaf.emitted_power + reflected) * inverse_area;
+        spread_[id] = 0;
         irradiance_[id] = reflected * inverse_area / glm::max(node.reflectance, Rgb(1e-3F));
         return;
     }
     glm::dvec3 power(0.0), arriving(0.0);
-    double area = 0;
+    double area = 0, squares = 0;
     DirectionalForm intensity;
     std::array<float, kFormSize> shown{};
     for (NodeId child = node.first_child; child < node.first_child + node.child_count; ++child) {
         area += area_[child];
         power += area_[child] * glm::dvec3(radiosity_[child]);
         arriving += area_[child] * glm::dvec3(irradiance_[child]);
+        const double brightness = luminance(radiosity_[child]);
+        squares += area_[child] * (brightness * brightness + static_cast<double>(spread_[child]) * spread_[child]);
         if (node.kind != NodeKind::kElement) {
             if (is_cluster(nodes[child])) {
                 intensity += intensity_[slot_[child]];
@@ -244,6 +249,8 @@ void Lighting::pull(NodeId id) {
     area_[id] = area;
     radiosity_[id] = Rgb(power / std::max(area, 1e-300));
     irradiance_[id] = Rgb(arriving / std::max(area, 1e-300));
+    const double mean = luminance(radiosity_[id]);
+    spread_[id] = static_cast<float>(std::sqrt(std::max(0.0, squares / std::max(area, 1e-300) - mean * mean)));
     if (node.kind != NodeKind::kElement) {
         intensity_[slot_[id]] = intensity;
         shown_[slot_[id]] = shown;
@@ -287,7 +294,7 @@ double Lighting::iterate(const Control& control) {
 }
 
 std::size_t Lighting::bytes() const {
-    return radiosity_.capacity() * (2 * sizeof(Rgb) + sizeof(double) + 2 * sizeof(std::uint32_t)) +
+    return radiosity_.capacity() * (2 * sizeof(Rgb) + sizeof(float) + sizeof(double) + 2 * sizeof(std::uint32_t)) +
            received_.capacity() * 2 * sizeof(DirectionalForm) + leaves_.capacity() * sizeof(LeafCluster) +
            link_order_.capacity() * sizeof(std::uint32_t);
 }

@@ -40,6 +40,8 @@ class Lighting {
     // Means over the node's faces, W/m2. Lamps and sky have their emission as radiosity.
     [[nodiscard]] Rgb radiosity(NodeId id) const { return radiosity_[id]; }
     [[nodiscard]] Rgb irradiance(NodeId id) const { return irradiance_[id]; }
+    // Standard deviation of the luminance of radiosity over a node's faces, W/m2, as far as the hierarchy tells it.
+    [[nodiscard]] float spread(NodeId id) const { return spread_[id]; }
     // Irradiance at an element's corners, linear in between, >= 0.
     [[nodiscard]] const std::array<Rgb, 3>& corner_irradiance(NodeId element) const { return corners_[slot_[element]]; }
     // All that arrives at a cluster from outside of its faces' own mesh level, as seen by its faces.
@@ -60,6 +62,7 @@ class Lighting {
 
     const Hierarchy& hierarchy_;
     std::vector<Rgb> radiosity_, irradiance_;
+    std::vector<float> spread_;
     std::vector<double> area_;
     std::vector<std::uint32_t> slot_;  // cluster -> received_, intensity_; element -> corners_
     std::vector<std::array<Rgb, 3>> corners_;  // irradiance at an element's corners

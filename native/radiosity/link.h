@@ -16,8 +16,8 @@ namespace gg {
 struct Link {
     NodeId receiver = 0;
     NodeId sender = 0;
-    // At a cluster: mean of the unit directions to the sender, shorter than 1 as far as they spread. At an element: the form factor at its corners as shares of
-    // form_factor, which is their mean; it is linear in between.
+    // At a cluster, and of a `near` link: mean of the unit directions to the sender, shorter than 1 as far as they spread.
+    // Else, at an element: the form factor at its corners as shares of form_factor, which is their mean.
     Vec3 shape{0.0F};
     float form_factor = 0;      // unoccluded; times m2 for clusters that are not near: form_factor has unit 1/m2
     float visibility = 0;       // 0..1

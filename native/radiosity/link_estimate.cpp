@@ -32,8 +32,9 @@ std::array<Vec3, kPoints> element_points(const Node& node) {
 
 // Stratified in the order of the tree, which is that of places. Too few would bias the solution: links whose sampled
 // form factor is too small are the ones that pass for good.
-std::array<Vec3, kClusterPoints> cluster_points(const Hierarchy& hierarchy, const Node& node) {
-    const Sequence4 sequence(node.stable_id);
+std::array<Vec3, kClusterPoints> cluster_points(const Hierarchy& hierarchy, const Node& node,
+                                               SampleSet samples) {
+    const Sequence4 sequence(hash64(node.stable_id, static_cast<std::uint64_t>(samples)));
     std::array<Vec3, kClusterPoints> points;
     for (std::uint32_t k = 0; k < kClusterPoints; ++k) {
         const float u = (static_cast<float>(k) + sequence(k, 0)) / kClusterPoints;
@@ -179,10 +180,11 @@ float distance_to(const Hierarchy& hierarchy, const Node& receiver, const Node& 
 }
 
 // Fills form factor and direction at a cluster; returns how much both vary over the receiver.
-float set_cluster_form_factor(const Hierarchy& hierarchy, const Node& receiver, const Node& sender, Link& link) {
+float set_cluster_form_factor(const Hierarchy& hierarchy, const Node& receiver, const Node& sender, SampleSet samples,
+                              Link& link) {
     Vec3 sum(0.0F);
     float least = kInfinity, most = 0, total = 0, solid_angle = 0;
-    for (const Vec3 x : cluster_points(hierarchy, receiver)) {
+    for (const Vec3 x : cluster_points(hierarchy, receiver, samples)) {
         const Arrival light = arrival(hierarchy, sender, x);
         sum += light.factor * light.direction;
         total += light.factor;
@@ -290,21 +292,26 @@ struct Seen {
     float sampling_error = 0;
 };
 
-ShadowRays make_shadow_rays(const Hierarchy& hierarchy, const Node& receiver, const Node& sender, int count) {
-    const Sequence4 at_receiver(hash64(receiver.stable_id, sender.stable_id));
-    const Sequence4 at_sender(hash64(sender.stable_id, ~receiver.stable_id));
+// Dimensions 0..2 for the point on the receiver, 3..5 for that on the sender or the direction.
+Sequence6 pair_sequence(const Node& receiver, const Node& sender, SampleSet samples) {
+    return Sequence6(hash64(hash64(receiver.stable_id, sender.stable_id), static_cast<std::uint64_t>(samples)));
+}
+
+ShadowRays make_shadow_rays(const Hierarchy& hierarchy, const Node& receiver, const Node& sender, int count,
+                            SampleSet samples) {
+    const Sequence6 sequence = pair_sequence(receiver, sender, samples);
     ShadowRays pairs;
     for (int k = 0; k < count; ++k) {
         const auto i = static_cast<std::uint32_t>(k);
         if (receiver.kind == NodeKind::kElement) {
             // Quarters share the points on the sender: what differs between them is then more than noise.
             const std::uint32_t j = i / kPoints;
-            const Vec3 x = point_in_quarter(receiver, k % kPoints, at_receiver(i, 0), at_receiver(i, 1));
+            const Vec3 x = point_in_quarter(receiver, k % kPoints, sequence(i, 0), sequence(i, 1));
             add_pair(hierarchy, {x, receiver.normal, false}, sender,
-                     {at_sender(j, 2), at_sender(j, 0), at_sender(j, 1)}, k % kPoints, pairs);
+                     {sequence(j, 5), sequence(j, 3), sequence(j, 4)}, k % kPoints, pairs);
         } else {
-            add_pair(hierarchy, sample_face(hierarchy, receiver, at_receiver(i, 2), at_receiver(i, 0), at_receiver(i, 1)),
-                     sender, {at_sender(i, 2), at_sender(i, 0), at_sender(i, 1)}, 0, pairs);
+            add_pair(hierarchy, sample_face(hierarchy, receiver, sequence(i, 2), sequence(i, 0), sequence(i, 1)),
+                     sender, {sequence(i, 5), sequence(i, 3), sequence(i, 4)}, 0, pairs);
         }
     }
     return pairs;
@@ -344,18 +351,17 @@ Seen trace_shadow_rays(const RayTracer& tracer, const ShadowRays& pairs, int cou
 
 // Sender and receiver touch or are one: the share of the hemispheres above the receiver's faces that the sender fills.
 void estimate_near(const Hierarchy& hierarchy, const RayTracer& tracer, const Node& receiver, const Node& sender,
-                   int count, Link& link) {
-    const Sequence4 at_receiver(hash64(receiver.stable_id, sender.stable_id));
-    const Sequence4 of_direction(hash64(sender.stable_id, ~receiver.stable_id));
+                   int count, SampleSet samples, Link& link) {
+    const Sequence6 sequence = pair_sequence(receiver, sender, samples);
     std::array<Ray, kMaxRays> rays;
     std::array<Hit, kMaxRays> hits;
     for (int k = 0; k < count; ++k) {
         const auto i = static_cast<std::uint32_t>(k);
-        FacePoint x = sample_face(hierarchy, receiver, at_receiver(i, 2), at_receiver(i, 0), at_receiver(i, 1));
-        if (x.both_sides && of_direction(i, 2) < 0.5F) {
+        FacePoint x = sample_face(hierarchy, receiver, sequence(i, 2), sequence(i, 0), sequence(i, 1));
+        if (x.both_sides && sequence(i, 5) < 0.5F) {
             x.normal = -x.normal;
         }
-        const Vec2 disk = square_to_disk(of_direction(i, 0), of_direction(i, 1));
+        const Vec2 disk = square_to_disk(sequence(i, 3), sequence(i, 4));
         const float z = std::sqrt(std::max(0.0F, 1 - dot(disk, disk)));
         rays[k] = {offset_origin(x.position, x.normal, receiver.radius),
                    Frame(x.normal).to_world({disk.x, disk.y, z}), 0, kInfinity};
@@ -372,7 +378,7 @@ void estimate_near(const Hierarchy& hierarchy, const RayTracer& tracer, const No
         }
     }
     link.near = true;
-    link.shape = receiver.kind == NodeKind::kElement ? Vec3(1.0F) : normalize_or_zero(direction);
+    link.shape = normalize_or_zero(direction);
     link.form_factor = static_cast<float>(found) / static_cast<float>(count);
     link.visibility = found > 0 ? 1.0F : 0.0F;
     constexpr float kVariation = 0.25F;  // between the receiver's faces, which all get the same
@@ -428,7 +434,8 @@ float form_factor_bound(const Hierarchy& hierarchy, const Node& receiver, const 
     return std::min(sphere, shown / (kPi * reach * reach + shown));
 }
 
-Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId receiver, NodeId sender, int rays) {
+Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId receiver, NodeId sender, int rays,
+                   SampleSet samples) {
     const Node& to = hierarchy[receiver];
     const Node& from = hierarchy[sender];
     const int count = std::clamp(rays, 4, kMaxRays);
@@ -436,10 +443,10 @@ Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId r
     link.receiver = receiver;
     link.sender = sender;
     if (is_cluster(from) && !separated(to, from)) {
-        estimate_near(hierarchy, tracer, to, from, std::max(count, 16), link);
+        estimate_near(hierarchy, tracer, to, from, std::max(count, 16), samples, link);
         return link;
     }
-    const ShadowRays pairs = make_shadow_rays(hierarchy, to, from, count);
+    const ShadowRays pairs = make_shadow_rays(hierarchy, to, from, count, samples);
     const Seen seen = trace_shadow_rays(tracer, pairs, count, link);
     if (to.kind == NodeKind::kElement) {
         const auto points = element_points(to);
@@ -460,7 +467,7 @@ Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId r
     } else {
         constexpr float kShadowEdge = 0.25F;  // of a half-seen sender's light may fall on the wrong faces
         link.visibility = seen.visibility;
-        const float variation = set_cluster_form_factor(hierarchy, to, from, link);
+        const float variation = set_cluster_form_factor(hierarchy, to, from, samples, link);
         const float edge = kShadowEdge * std::sqrt(seen.visibility * (1 - seen.visibility));
         constexpr float kMadeUpFor = 0.5F;  // share of the variation that other senders make up for, see Link
         link.shape_error = kMadeUpFor * variation * seen.visibility;

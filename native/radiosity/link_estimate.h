@@ -19,8 +19,12 @@ namespace gg {
 // Bounding spheres apart: far-field formulas hold.
 [[nodiscard]] bool separated(const Node& receiver, const Node& sender);
 
+// Independent sets of samples. A link that is judged by the samples that it is made of comes out too dark: of all pairs
+// that let a little light through, those pass for good whose rays happened to see nothing.
+enum class SampleSet : std::uint8_t { kJudge, kLink };
+
 // Samples the transport with about `rays` shadow rays, 4..64. receiver and sender may be one cluster.
 [[nodiscard]] Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId receiver, NodeId sender,
-                                 int rays);
+                                 int rays, SampleSet samples = SampleSet::kLink);
 
 }  // namespace gg

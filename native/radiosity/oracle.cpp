@@ -65,6 +65,23 @@ bool has_large_faces(const Hierarchy& hierarchy, const Node& node, const RefineS
            hierarchy.tree_node(node).direct_end > hierarchy.tree_node(node).begin;
 }
 
+// Whole objects, large and small, lit and in the dark: samples by area would see the largest only.
+bool is_mixed(const Node& node, const RefineSettings& settings) {
+    return node.kind == NodeKind::kInstances && 2 * node.radius > kDetail * settings.white.extent;
+}
+
+// Share of a sender's light that comes from unknown parts of it: what is seen of it in part may be its bright part (lit
+// places see each other), and close by, the nearer part counts for more.
+float uneven_share(const Node& receiver, const Node& sender, const Link& link) {
+    if (!is_surface(sender)) {
+        return 0;
+    }
+    constexpr float kNearer = 0.3F;
+    const float size = std::min(1.0F, sender.radius / std::max(length(receiver.center - sender.center), 1e-12F));
+    return link.form_factor *
+           (std::sqrt(link.visibility * (1 - link.visibility)) + kNearer * size * link.visibility);
+}
+
 Verdict side_to_split(const Node& receiver, const Node& sender, const RefineSettings& settings) {
     const bool receiver_splits = can_split(receiver, settings);
     const bool sender_splits = can_split(sender, settings);
@@ -96,7 +113,8 @@ bool still_good(const Hierarchy& hierarchy, const Lighting& lighting, const Link
     // out. (To refine it on its own would leave the others' share of the error behind.)
     const float surroundings = link.near || !is_cluster(sender) ? 2 * irradiance : 2 * irradiance * surface_shown(sender, false);
     const float standing_out = std::max(sent - surroundings, kLeastContrast * sent);
-    return reflectance * (standing_out * link.shape_error + sent * link.level_error) <=
+    const float uneven = lighting.spread(link.sender) * surface_shown(sender, link.near) * uneven_share(receiver, sender, link);
+    return reflectance * (standing_out * link.shape_error + sent * link.level_error + uneven) <=
            allowed_error(receiver, irradiance, settings);
 }
 
@@ -117,26 +135,29 @@ Decision decide(const Hierarchy& hierarchy, const Lighting& lighting, const RayT
     const float light = strength(sender, luminance(lighting.radiosity(sender_id)));
     const float most = reflectance * light * (self ? 1.0F : form_factor_bound(hierarchy, receiver, sender));
     if (most <= kInsignificant * allowed) {
-        return {Verdict::kAccept, estimate_link(hierarchy, tracer, receiver_id, sender_id, 4)};
+        Link link = estimate_link(hierarchy, tracer, receiver_id, sender_id, 4);
+        link.shape_error = 0;
+        link.level_error = form_factor_bound(hierarchy, receiver, sender) / surface_shown(sender, link.near);
+        return {Verdict::kAccept, link};
     }
     const Verdict split = self ? (can_split(receiver, settings) ? Verdict::kSplitSelf : Verdict::kAccept)
                                : side_to_split(receiver, sender, settings);
-    if (self && has_large_faces(hierarchy, receiver, settings)) {
-        return {Verdict::kSplitSelf, {}};
+    if (has_large_faces(hierarchy, receiver, settings) || is_mixed(receiver, settings)) {
+        return {self ? Verdict::kSplitSelf : Verdict::kSplitReceiver, {}};
     }
-    if (has_large_faces(hierarchy, receiver, settings)) {
-        return {Verdict::kSplitReceiver, {}};
-    }
-    if (has_large_faces(hierarchy, sender, settings)) {
+    if (has_large_faces(hierarchy, sender, settings) || is_mixed(sender, settings)) {
         return {Verdict::kSplitSender, {}};
     }
     // As many rays as it takes to believe that nothing, or everything, is in between.
     const int rays = static_cast<int>(std::clamp(std::ceil(2 * most / allowed), 4.0F, 64.0F));
-    Decision decision{Verdict::kAccept, estimate_link(hierarchy, tracer, receiver_id, sender_id, rays)};
-    if (!still_good(hierarchy, lighting, decision.link, settings)) {
-        decision.verdict = split;
+    const Link judged = estimate_link(hierarchy, tracer, receiver_id, sender_id, rays, SampleSet::kJudge);
+    if (split != Verdict::kAccept && !still_good(hierarchy, lighting, judged, settings)) {
+        return {split, {}};
     }
-    return decision;
+    Link link = estimate_link(hierarchy, tracer, receiver_id, sender_id, rays, SampleSet::kLink);
+    link.shape_error = judged.shape_error;
+    link.level_error = judged.level_error;
+    return {Verdict::kAccept, link};
 }
 
 }  // namespace gg

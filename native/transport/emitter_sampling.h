@@ -3,8 +3,6 @@
 
 #include "core/vec.h"
 #include "scene/scene.h"
-#include "transport/penumbra.h"
-#include "transport/sky_cell.h"
 
 namespace gg {
 
@@ -18,10 +16,10 @@ struct LampSample {
 
 // The sample of (u, v) in [0, 1)^2. The mean over uniform (u, v) of normal_irradiance * max(0, n.direction) is the
 // unoccluded irradiance at x with normal n. Spheres are sampled by solid angle over the cap that x sees and distant
-// disks by solid angle, so all of their samples weigh the same (spots aside); rectangles and ellipses by area. Neither
-// has a seam in x: a fixed (u, v) moves continuously, except for spheres seen from exactly above. Zero
-// normal_irradiance: x is behind the lamp or outside the spot; direction and distance still hold. A receiver inside a
-// sphere counts as lying on its surface.
+// disks by solid angle, so all of their samples weigh the same (spots aside); rectangles and ellipses by area. None
+// has a seam in x: a fixed (u, v) moves continuously with x, except for spheres and receivers exactly above their
+// centre. Zero normal_irradiance: x is behind the lamp or outside the spot (direction and distance still hold), or on
+// the sample itself (direction and distance are zero). A receiver inside a sphere counts as lying on its surface.
 [[nodiscard]] LampSample sample_lamp(const Lamp& lamp, Vec3 x, float u, float v);
 
 // Irradiance as a vector: `irradiance` [W/m2] falls on a plane at x that faces `direction` (unit, towards the lamp),

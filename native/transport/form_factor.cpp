@@ -242,7 +242,7 @@ typename V::value_type triangle_solid_angle(V a, V b, V c) {
     return volume > 0 ? 2 * std::atan2(volume, denominator) : T(0);
 }
 
-// [HOWELL, B-43 and its tilted form]: with k^2 = 1 - H^2 c^2 and s^2 = H^2 - 1, both inverse cosines are angles whose
+// [Howell, element to sphere, tilted]: with k^2 = 1 - H^2 c^2 and s^2 = H^2 - 1, both inverse cosines are angles whose
 // sine and cosine are known, which keeps the digits near grazing. In double, since the terms of a small sphere cancel.
 template <typename T>
 T point_to_sphere(T cosine, T distance_over_radius) {

@@ -23,9 +23,9 @@ namespace gg {
 inline constexpr float kFormFactorAccuracy = 2e-4F;
 
 // Phi = 1/(2 pi) sum_i theta_i Gamma_i over the edges, Gamma_i the unit normal of the triangle (x, v_i, v_i+1) and
-// theta_i the angle that the edge subtends [LAMBERT]. Points from x to the side on which the polygon lies. |Phi| in
-// [0, 1] is the form factor of a plane at x that faces Phi; dot(n, Phi) is that of normal n as long as no part of the
-// polygon lies below n's horizon. The polygon may be concave.
+// theta_i the angle that the edge subtends [Lambert 1760]. Points from x to the side on which the polygon lies. |Phi|
+// in [0, 1] is the form factor of a plane at x that faces Phi; dot(n, Phi) is that of normal n as long as no part of
+// the polygon lies below n's horizon. The polygon may be concave.
 template <typename V>
 [[nodiscard]] V vector_form_factor(V x, std::span<const std::type_identity_t<V>> polygon);
 
@@ -37,7 +37,7 @@ template <typename V>
 template <typename V>
 [[nodiscard]] typename V::value_type point_to_triangle(V x, V n, V a, V b, V c);
 
-// Solid angle [sr], in [0, 2 pi], of a triangle given relative to the viewpoint [VANOOSTEROM-STRACKEE].
+// Solid angle [sr], in [0, 2 pi], of a triangle given relative to the viewpoint [Van Oosterom and Strackee 1983].
 template <typename V>
 [[nodiscard]] typename V::value_type triangle_solid_angle(V a, V b, V c);
 

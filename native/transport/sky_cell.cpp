@@ -5,7 +5,7 @@
 namespace gg {
 namespace {
 
-// Uniform direction of the hemisphere z > 0 from the unit square [LAMBERT-AZIMUTHAL]: r^2 = 1 - z.
+// Uniform direction of the hemisphere z > 0 from the unit square by Lambert's equal-area map, r^2 = 1 - z.
 Vec3 square_to_hemisphere(float u, float v) {
     const Vec2 disk = square_to_disk(u, v);
     const float squared = std::min(disk.x * disk.x + disk.y * disk.y, 1.0F);

@@ -51,11 +51,11 @@ def _set_shape(light: Light, data) -> None:
 
 
 def area(light: Light) -> float:
-    """What Blender divides a lamp's power by [m2; sun: solid angle of its disk, sr]; 1 for lamps without extent."""
+    """What Cycles divides a lamp's power by [m2; sun: projected solid angle, sr]; 1 for lamps without extent."""
     if light.type in {LIGHT_POINT, LIGHT_SPOT}:
-        result = math.pi * light.radius**2
+        result = 4 * math.pi * light.radius**2
     elif light.type == LIGHT_SUN:
-        result = math.pi * math.tan(min(light.angle, 3.14) / 2) ** 2
+        result = math.pi * math.sin(light.angle / 2) ** 2
     else:
         columns = ([light.matrix[row * 4 + axis] for row in range(3)] for axis in range(2))
         width, height = (math.hypot(*column) for column in columns)

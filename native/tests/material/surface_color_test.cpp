@@ -153,7 +153,7 @@ TEST(SurfaceColor, the_mean_over_a_triangle_is_that_of_many_samples) {
     materials.add(Rgb(1)).image = 0;
     materials.description.materials[0].emission = {Rgb(10), 0, {1, 0, 0, 0, 1, 0}};
     const SurfaceColors colors = materials.colors();
-    for (const float size : {1.0F, 0.3F, 0.05F, 0.015F}) {
+    for (const float size : {1.0F, 0.3F, 0.05F, 0.015F, 0.006F}) {
         const Vec2 a = size * kCorners[0], b = size * kCorners[1], c = size * kCorners[2];
         Vec3d truth(0);
         constexpr int kSide = 300;

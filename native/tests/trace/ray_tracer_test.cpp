@@ -45,7 +45,8 @@ std::vector<Ray> random_rays(std::uint64_t seed, std::size_t count) {
         const Vec3 origin = 4.0F * dice.vector();
         const Vec3 target = 2.0F * dice.vector();
         const float scale = 1.5F + dice.number();
-        rays.push_back({origin, (target - origin) * scale, 0, index % 3 == 0 ? 0.9F / scale : kInfinity});
+        const float near = index % 4 == 0 ? 0.7F / scale : 0;
+        rays.push_back({origin, (target - origin) * scale, near, index % 3 == 0 ? 0.9F / scale : kInfinity});
     }
     return rays;
 }

@@ -201,6 +201,15 @@ TEST(form_factor, just_above_a_polygon_it_fills_the_hemisphere) {
     EXPECT_NEAR(point_to_polygon(Vec3(0.2F, 0.1F, -1e-4F), Vec3(0, 0, 1), same), 1, 1e-3);
 }
 
+TEST(form_factor, repeated_corners_change_nothing) {
+    const Vec3 a{0, 0, 1};
+    const Vec3 b{1, 0, 1};
+    const Vec3 c{0, 1, 1};
+    const Vec3 n{0, 0, 1};
+    EXPECT_NEAR(point_to_polygon(Vec3(0), n, std::array{a, a, b, b, c}), 0.096225045F, 1e-7F);
+    EXPECT_NEAR(vector_form_factor(Vec3(0), std::array{a, b, b, c, a}).z, 0.096225045F, 1e-7F);
+}
+
 TEST(form_factor, degenerate_polygons_count_as_zero) {
     const Vec3 p{1, 2, 3};
     const Vec3 q{2, 2, 5};
