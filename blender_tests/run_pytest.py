@@ -1,12 +1,22 @@
-"""pytest inside Blender: blender -b --factory-startup --python run_pytest.py -- PYTEST_ARGUMENTS"""
+"""pytest inside Blender: blender -b --factory-startup --python run_pytest.py -- PYTEST_ARGUMENTS
 
+or with Blender as a Python module: python3 run_pytest.py -- PYTEST_ARGUMENTS
+"""
+
+import os
 import sys
 from pathlib import Path
 
+import bpy  # before pytest: makes Blender's own modules known
 import pytest
 
-arguments = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
-folder = str(Path(__file__).parent)
-code = pytest.main([folder, "-p", "no:cacheprovider", "--color=no", "-ra", *arguments])
+FOLDER = Path(__file__).resolve().parent
+arguments = [str(FOLDER), "-p", "no:cacheprovider", "--color=no", "-ra"]
+if not bpy.app.binary_path:  # these start Blender's program
+    arguments += [f"--ignore={FOLDER / name}" for name in ("test_failures.py", "test_scenes.py")]
+arguments += sys.argv[sys.argv.index("--") + 1 :]
+code = int(pytest.main(arguments))
 sys.stdout.flush()
-sys.exit(int(code))
+if bpy.app.binary_path:
+    sys.exit(code)
+os._exit(code)  # the module's own end prints pages about memory

@@ -7,6 +7,7 @@ import pytest
 from building import add, lamp, link, surface
 from capture import export
 from gridgather import description
+from gridgather.export.light import area
 
 
 def only_light():
@@ -99,17 +100,15 @@ def test_lamp_without_shadow_is_reported():
 
 
 def test_normalization_divides_by_these_areas():
-    from gridgather.export.light import area
-
     turned = (0, 3, 0, 0, 2, 0, 0, 0, 0, 0, 1, 0)  # scales x by 2 and y by 3
-    light = description.Light("", description.LIGHT_AREA, turned, (1, 1, 1), 0, size_x=0.5, size_y=2)
-    assert area(light) == pytest.approx(6)
-    light.shape = description.AREA_ELLIPSE
-    assert area(light) == pytest.approx(6 * math.pi / 4)
-    assert area(description.Light("", description.LIGHT_POINT, turned, (1, 1, 1), 0, radius=2)) == pytest.approx(
-        4 * math.pi
-    )
-    assert area(description.Light("", description.LIGHT_POINT, turned, (1, 1, 1), 0)) == 1
+    panel = description.Light("", description.LIGHT_AREA, turned, (1, 1, 1), 0, size_x=0.5, size_y=2)
+    assert area(panel) == pytest.approx(6)
+    panel.shape = description.AREA_ELLIPSE
+    assert area(panel) == pytest.approx(6 * math.pi / 4)
+    point = description.Light("", description.LIGHT_POINT, turned, (1, 1, 1), 0, radius=2)
+    assert area(point) == pytest.approx(16 * math.pi)
+    point.radius = 0
+    assert area(point) == 1
 
 
 def world(scene):

@@ -16,6 +16,32 @@ constexpr int kSweepsBetween = 4;
 constexpr int kSweepsAtEnd = 200;          // enough for a mean reflectance of 0.97
 constexpr double kConverged = 2e-4;        // change of the reflected power in one sweep, share of it
 
+struct Power {
+    double emitted = 0, absorbed = 0;  // W, luminance
+};
+
+// In a closed room both are equal; what a scene emits and does not absorb leaves it.
+Power power_balance(const Solution& solution) {
+    Power power;
+    for (NodeId id = 0; id < solution.hierarchy.nodes().size(); ++id) {
+        const Node& node = solution.hierarchy[id];
+        if (is_surface(node) && node.child_count == 0) {
+            const Rgb irradiance = solution.lighting.irradiance(id);
+            const double area = solution.lighting.area(id);
+            power.absorbed += area * luminance((1.0F - node.reflectance) * irradiance);
+            power.emitted += area * luminance(solution.lighting.radiosity(id) - node.reflectance * irradiance);
+        }
+    }
+    for (const Link& link : solution.links) {
+        if (solution.hierarchy[link.sender].kind == NodeKind::kLamp) {
+            const bool element = solution.hierarchy[link.receiver].kind == NodeKind::kElement;
+            power.emitted += (element ? 1.0 : 0.25) * solution.lighting.area(link.receiver) * link.form_factor *
+                             link.visibility * luminance(solution.hierarchy[link.sender].emission);
+        }
+    }
+    return power;
+}
+
 void report(const Solution& solution, Statistics& statistics) {
     std::size_t elements = 0, clusters = 0, open = 0;
     for (const Node& node : solution.hierarchy.nodes()) {
@@ -41,6 +67,9 @@ void report(const Solution& solution, Statistics& statistics) {
     statistics.set_count("links from lamps", static_cast<double>(lamps));
     statistics.set_count("links from sky", static_cast<double>(sky));
     statistics.set_count("links occluded", static_cast<double>(dark));
+    const Power power = power_balance(solution);
+    statistics.set_count("power that lands or is emitted by surfaces", power.emitted);
+    statistics.set_count("power absorbed", power.absorbed);
     statistics.set_count("reference white", solution.white.irradiance);
     statistics.set_count("extent of light", solution.white.extent);
     statistics.set_bytes("hierarchy", static_cast<double>(solution.hierarchy.bytes() + solution.lighting.bytes()));

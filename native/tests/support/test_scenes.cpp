@@ -13,6 +13,22 @@ std::uint32_t SceneBuilder::material(Rgb reflectance, Rgb emitted_radiance) {
     return static_cast<std::uint32_t>(description.materials.size() - 1);
 }
 
+std::uint32_t SceneBuilder::checkerboard(float dark, float bright) {
+    ImageDescription image;
+    image.name = "checkerboard";
+    image.width = image.height = 8;
+    image.color_space = ColorSpace::kLinear;
+    image.filter_mode = FilterMode::kClosest;
+    for (int texel = 0; texel < 64; ++texel) {
+        const float value = (texel / 8 + texel) % 2 == 0 ? dark : bright;
+        image.pixels.insert(image.pixels.end(), {value, value, value, 1.0F});
+    }
+    const std::uint32_t id = material(Rgb(1.0F));
+    description.materials[id].reflectance.image = static_cast<std::uint32_t>(description.images.size());
+    description.images.push_back(std::move(image));
+    return id;
+}
+
 void SceneBuilder::add_mesh(MeshDescription mesh, std::uint32_t material) {
     InstanceDescription instance;
     instance.name = mesh.name;
@@ -29,6 +45,8 @@ void SceneBuilder::quad(Vec3 a, Vec3 b, Vec3 c, Vec3 d, std::uint32_t material, 
     mesh.name = name;
     mesh.positions = {a, b, c, d};
     mesh.triangle_vertices = {0, 1, 2, 0, 2, 3};
+    mesh.triangle_corners = mesh.triangle_vertices;
+    mesh.corner_uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     add_mesh(std::move(mesh), material);
 }
 
@@ -119,6 +137,28 @@ void SceneBuilder::area_light(Vec3 position, Vec3 direction, float size, Rgb wat
     light.to_world.translation = position;
     light.power = watts;
     light.size_x = light.size_y = size;
+    light.stable_id = description.lights.size();
+    description.lights.push_back(light);
+}
+
+void SceneBuilder::sun(Vec3 direction, Rgb irradiance, const std::string& name) {
+    LightDescription light;
+    light.name = name;
+    light.type = LightType::kSun;
+    const Frame frame(-normalize_or_zero(direction));
+    light.to_world.linear = Mat3(frame.tangent, frame.bitangent, frame.normal);
+    light.power = irradiance;
+    light.angle = 0.02F;
+    light.stable_id = description.lights.size();
+    description.lights.push_back(light);
+}
+
+void SceneBuilder::point_light(Vec3 position, Rgb watts, const std::string& name) {
+    LightDescription light;
+    light.name = name;
+    light.type = LightType::kPoint;
+    light.to_world.translation = position;
+    light.power = watts;
     light.stable_id = description.lights.size();
     description.lights.push_back(light);
 }

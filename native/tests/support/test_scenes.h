@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -24,10 +23,14 @@ class SceneBuilder {
   public:
     SceneDescription description;
 
+    // emitted_radiance in W/(m2 sr)
     std::uint32_t material(Rgb reflectance, Rgb emitted_radiance = Rgb(0.0F));
+    // Reflectance of a checkerboard of 8 x 8 fields of these two greys over the unit square of uv.
+    std::uint32_t checkerboard(float dark, float bright);
     // A quadrilateral of two triangles; front is where a, b, c, d run counterclockwise.
+    // uvs are (0, 0), (1, 0), (1, 1), (0, 1).
     void quad(Vec3 a, Vec3 b, Vec3 c, Vec3 d, std::uint32_t material, const std::string& name = "quad");
-    // Six separate quads; inward: their fronts face the inside.
+    // Six separate quads, -x, +x, -y, +y, -z, +z; inward: their fronts face the inside.
     void box(Vec3 lower, Vec3 upper, const std::array<std::uint32_t, 6>& materials, bool inward);
     // A closed cube as one mesh, outward.
     void solid(Vec3 lower, Vec3 upper, std::uint32_t material, const std::string& name = "solid");
@@ -35,6 +38,8 @@ class SceneBuilder {
     void sphere(Vec3 center, float radius, int rings, std::uint32_t material, bool inward,
                 const std::string& name = "sphere");
     void area_light(Vec3 position, Vec3 direction, float size, Rgb watts, const std::string& name = "area");
+    void sun(Vec3 direction, Rgb irradiance, const std::string& name = "sun");
+    void point_light(Vec3 position, Rgb watts, const std::string& name = "point");
     void add_mesh(MeshDescription mesh, std::uint32_t material);
 };
 

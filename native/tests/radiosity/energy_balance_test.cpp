@@ -1,0 +1,57 @@
+// What a lamp emits into a closed room is absorbed there, and what an integrating sphere holds is known in closed form.
+#include <gtest/gtest.h>
+
+#include "support/law_scenes.h"
+#include "support/solution_measures.h"
+
+namespace gg::test {
+namespace {
+
+double absorbed_share(float reflectance, float quality) {
+    Prepared prepared(lamp_room(reflectance));
+    const auto solution = prepared.solve(quality);
+    return (1 - reflectance) * arriving_power(*solution) / lamp_power(prepared.scene);
+}
+
+TEST(EnergyBalance, closed_room_absorbs_what_its_lamp_emits) { EXPECT_NEAR(absorbed_share(0.6F, 0.005F), 1, 0.02); }
+
+TEST(EnergyBalance, closed_room_absorbs_what_its_lamp_emits_in_a_coarse_solution) {
+    EXPECT_NEAR(absorbed_share(0.6F, 0.02F), 1, 0.04);
+}
+
+TEST(EnergyBalance, black_room_absorbs_what_its_lamp_emits) { EXPECT_NEAR(absorbed_share(0, 0.005F), 1, 0.005); }
+
+// Upper and lower half differ: H = (sum A_j E_j / A) / (1 - sum A_j rho_j / A) falls on every face of a sphere, whatever
+// its own reflectance and emission, and B_j = E_j + rho_j H [integrating sphere].
+TEST(EnergyBalance, integrating_sphere_is_lit_evenly) {
+    SceneBuilder builder;
+    const std::uint32_t bright = builder.material(Rgb(0.8F, 0.5F, 0.2F));
+    const std::uint32_t glowing = builder.material(Rgb(0.4F, 0.3F, 0.6F), Rgb(2 / kPi));
+    builder.sphere(Vec3(0.0F), 2, 24, bright, true);
+    MeshDescription& mesh = builder.description.meshes[0];
+    for (std::size_t triangle = 0; triangle < mesh.triangle_vertices.size() / 3; ++triangle) {
+        const bool below = mesh.positions[mesh.triangle_vertices[3 * triangle]].z +
+                               mesh.positions[mesh.triangle_vertices[3 * triangle + 1]].z +
+                               mesh.positions[mesh.triangle_vertices[3 * triangle + 2]].z < 0;
+        mesh.triangle_slots.push_back(below ? 1 : 0);
+    }
+    builder.description.material_lists[0] = {bright, glowing};
+    Prepared prepared(builder.description);
+    const auto solution = prepared.solve(0.005F);
+    const Vec3d mean_reflectance = 0.5 * (Vec3d(0.8, 0.5, 0.2) + Vec3d(0.4, 0.3, 0.6));
+    const Vec3d expected = 1.0 / (1.0 - mean_reflectance);
+    const auto half = [&](bool below) {
+        return means_of(*solution, [&](const Node& node) {
+            return (node.center.z < 0) == below && (node.kind != NodeKind::kElement || !node.back);
+        });
+    };
+    for (const bool below : {false, true}) {
+        const FaceMeans means = half(below);
+        for (int channel = 0; channel < 3; ++channel) {
+            EXPECT_NEAR(means.irradiance[channel] / expected[channel], 1, 0.03) << "channel " << channel;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace gg::test
