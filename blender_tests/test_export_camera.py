@@ -55,6 +55,15 @@ def test_clipping(scene):
     assert (camera.clip_start, camera.clip_end) == (0.25, 50)
 
 
+def test_what_cameras_do_not_have_yet_is_named(scene):
+    scene.camera.data.dof.use_dof = scene.render.use_motion_blur = scene.render.use_multiview = True
+    assert sorted(export().scene.messages) == [
+        ("Camera", "Depth of Field is left out"),
+        ("Scene", "Motion Blur is left out"),
+        ("Scene", "Stereoscopy is left out"),
+    ]
+
+
 def test_no_camera_is_an_error(scene):
     scene.camera = None
     with pytest.raises((ExportError, RuntimeError), match="camera"):

@@ -95,7 +95,11 @@ def test_lamps_are_instanced():
 
 
 def test_lamp_without_shadow_is_reported():
-    lamp("POINT", "Fill", use_shadow=False)
+    data = lamp("POINT", "Fill").data
+    if hasattr(data.cycles, "cast_shadow"):
+        data.cycles.cast_shadow = False
+    else:
+        data.use_shadow = False
     assert export().scene.messages == [("Fill", "light without shadows casts them all the same")]
 
 
@@ -140,6 +144,13 @@ def background(scene, **inputs):
 def test_background_node(scene):
     background(scene, Color=(0.1, 0.2, 0.3, 1), Strength=2)
     assert export().scene.world == pytest.approx((0.2, 0.4, 0.6))
+
+
+def test_world_volume_is_reported(scene):
+    tree, _ = background(scene, Color=(0.5, 0.5, 0.5, 1))
+    output = next(node for node in tree.nodes if node.type == "OUTPUT_WORLD")
+    tree.links.new(tree.nodes.new("ShaderNodeVolumeScatter").outputs[0], output.inputs["Volume"])
+    assert export().scene.messages == [("World", "Volume is ignored")]
 
 
 def test_textured_world_is_reported(scene):

@@ -75,6 +75,17 @@ def test_border_is_part_of_the_whole_picture(lit, crop):
     assert np.array_equal(part, whole[inside])
 
 
+def test_every_view_of_a_stereo_picture_is_filled(lit, tmp_path):
+    lit.render.use_multiview = True
+    settings = lit.render.image_settings
+    settings.views_format, settings.file_format = "INDIVIDUAL", "PNG"
+    lit.render.filepath = str(tmp_path / "stereo")
+    bpy.ops.render.render(write_still=True)
+    for side in "LR":
+        (tmp_path / f"stereo_{side}.png").rename(tmp_path / f"{side}.png")  # else Blender looks for the other one
+        assert min(bpy.data.images.load(str(tmp_path / f"{side}.png")).pixels) > 0.4
+
+
 def test_transparent_film(scene):
     scene.world = bpy.data.worlds.new("World")
     scene.world.use_nodes, scene.world.color = False, (0.5, 0.5, 0.5)
@@ -190,7 +201,7 @@ def waited(monkeypatch, fake, render):
     """(status, pixels that Blender got) of the engine's loop."""
     got = []
     monkeypatch.setattr(engine, "write_pixels", lambda _, pixels: got.append(pixels.copy()))
-    result = SimpleNamespace(layers=[SimpleNamespace(passes={"Combined": None})])
+    result = SimpleNamespace(layers=[SimpleNamespace(passes=[SimpleNamespace(name="Combined")])])
     status = engine.GridgatherEngine._wait(fake, render, result, np.zeros((4, 2, 4), np.float32))
     return status, got
 

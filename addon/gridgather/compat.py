@@ -30,6 +30,11 @@ def node_tree(block):
     return block.node_tree
 
 
+def casts_shadow(light) -> bool:
+    """Cycles had a switch of its own up to 4.1."""
+    return getattr(getattr(light, "cycles", None), "cast_shadow", light.use_shadow)
+
+
 def light_factor(light, area: float) -> tuple[float, float, float]:
     """What a lamp's power is multiplied by to have the library's units: those of Cycles 3.4, but an exact sun.
 

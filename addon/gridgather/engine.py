@@ -92,7 +92,7 @@ class GridgatherEngine(bpy.types.RenderEngine):
 
     def _wait(self, render, result, pixels) -> int:
         """Until the render is finished: shows what is done, passes a cancel on. Returns the render's status."""
-        combined = result.layers[0].passes["Combined"]
+        passes = [each for each in result.layers[0].passes if each.name == "Combined"]  # one a stereo view
         stage, drawn, changed = "", time.perf_counter(), False
         while True:
             progress = render.wait(_POLL_SECONDS)
@@ -105,7 +105,8 @@ class GridgatherEngine(bpy.types.RenderEngine):
             self.update_memory_stats(memory_used=progress.memory / 2**20, memory_peak=progress.peak_memory / 2**20)
             changed |= render.copy_finished_tiles(pixels)
             if changed and (progress.finished or time.perf_counter() - drawn > _REDRAW_SECONDS):
-                write_pixels(combined, pixels)
+                for combined in passes:
+                    write_pixels(combined, pixels)
                 self.update_result(result)
                 drawn, changed = time.perf_counter(), False
             if progress.finished:

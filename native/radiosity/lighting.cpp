@@ -12,13 +12,6 @@ namespace {
 
 constexpr std::size_t kBlock = 64;
 
-void add_shown(std::array<float, kFormSize>& shown, float area, Vec3 normal) {
-    const auto beam = beam_coefficients(normal);
-    for (std::size_t i = 0; i < kFormSize; ++i) {
-        shown[i] += area * beam[i];
-    }
-}
-
 LeafCluster make_leaf_cluster(const Hierarchy& hierarchy, const Node& node) {
     const Scene& scene = hierarchy.scene();
     const SceneFaces& faces = hierarchy.faces();
@@ -38,7 +31,6 @@ LeafCluster make_leaf_cluster(const Hierarchy& hierarchy, const Node& node) {
             }
             const Vec3 outward = back ? -normal : normal;
             leaf.area += area;
-            add_shown(leaf.shown, area, outward);
             leaf.reflect.add_face(outward, area, colors.reflectance[triangle]);
             if (!colors.emission.empty() && max_component(colors.emission[triangle]) > 0) {
                 add_face(leaf.emission, colors.emission[triangle] * area, outward);
@@ -73,7 +65,6 @@ void Lighting::grow(const Control& control) {
             slot_[id] = static_cast<std::uint32_t>(received_.size());
             received_.emplace_back();
             intensity_.emplace_back();
-            shown_.emplace_back();
         } else if (node.kind == NodeKind::kElement) {
             slot_[id] = static_cast<std::uint32_t>(corners_.size());
             corners_.push_back({irradiance_[id], irradiance_[id], irradiance_[id]});
@@ -82,20 +73,50 @@ void Lighting::grow(const Control& control) {
     control.check_cancel();
 }
 
-void Lighting::set_links(std::span<const Link> links) {
-    links_ = links;
+void Lighting::set_links(Links& links, const Control& control) {
+    links_ = links.all;
+    hits_ = links.hits;
     link_begin_.assign(hierarchy_.nodes().size() + 1, 0);
-    for (const Link& link : links) {
+    for (const Link& link : links.all) {
         ++link_begin_[link.receiver + 1];
     }
     for (std::size_t i = 1; i < link_begin_.size(); ++i) {
         link_begin_[i] += link_begin_[i - 1];
     }
-    link_order_.resize(links.size());
+    link_order_.resize(links.all.size());
     std::vector<std::uint32_t> next(link_begin_.begin(), link_begin_.end() - 1);
-    for (std::uint32_t i = 0; i < links.size(); ++i) {
-        link_order_[next[links[i].receiver]++] = i;
+    for (std::uint32_t i = 0; i < links.all.size(); ++i) {
+        link_order_[next[links.all[i].receiver]++] = i;
     }
+    parallel_for(links.all.size(), 1024, control, [&](std::size_t i) {
+        const Link& link = links.all[i];
+        for (std::uint32_t h = link.first_hit; h < link.first_hit + link.hit_count; ++h) {
+            links.hits[h].leaf = leaf_at(link.sender, links.hits[h]);
+        }
+    });
+}
+
+// The leaf cluster or the element of the whole triangle below a cluster; kNone for a side that no light reaches.
+NodeId Lighting::leaf_at(NodeId sender, const NearHit& hit) const {
+    const auto& nodes = hierarchy_.nodes();
+    NodeId id = sender;
+    while (is_cluster(nodes[id]) && nodes[id].child_count > 0) {
+        const NodeId end = nodes[id].first_child + nodes[id].child_count;
+        NodeId child = nodes[id].first_child;
+        while (child < end) {
+            const Node& part = nodes[child];
+            if (part.kind == NodeKind::kElement ? part.source == hit.triangle && part.back == hit.back
+                                                : hierarchy_.contains(part, hit.instance, hit.triangle)) {
+                break;
+            }
+            ++child;
+        }
+        if (child == end) {
+            return kNone;
+        }
+        id = child;
+    }
+    return id;
 }
 
 void Lighting::make_leaf_clusters(const Control& control) {
@@ -121,16 +142,42 @@ void Lighting::make_leaf_clusters(const Control& control) {
     });
 }
 
-// Mean radiosity of the faces that a direction shows. A wall that is lit from one side has half of its brightness on
-// average, but all of it where it is seen from.
-Rgb Lighting::radiosity_towards(NodeId cluster, Vec3 direction) const {
-    const auto basis = form_basis(direction);
-    float shown = 0;
-    for (std::size_t i = 0; i < kFormSize; ++i) {
-        shown += shown_[slot_[cluster]][i] * basis[i];
+Rgb Lighting::radiosity_at(const NearHit& hit) const {
+    if (hit.leaf == kNone) {
+        return Rgb(0.0F);
     }
-    const auto least = static_cast<float>(0.05 * area_[cluster]);
-    return kPi * evaluate_clamped(intensity_[slot_[cluster]], direction) / std::max({shown, least, 1e-30F});
+    if (hierarchy_[hit.leaf].kind == NodeKind::kElement) {
+        return radiosity_[hit.leaf];
+    }
+    const SceneFaces& faces = hierarchy_.faces();
+    const FaceColors& colors = faces.colors[faces.instance_colors[hit.instance]];
+    const Vec3 front = normalize_or_zero(world_area_vector(hierarchy_.scene(), hit.instance, hit.triangle));
+    const Rgb irradiance = evaluate_clamped(shining_[slot_[hit.leaf]], hit.back ? -front : front);
+    const Rgb emission = colors.emission.empty() ? Rgb(0.0F) : colors.emission[hit.triangle];
+    return kPi * emission + colors.reflectance[hit.triangle] * irradiance;
+}
+
+void Lighting::gather_near(const Link& link, DirectionalForm& form, std::array<Rgb, 3>& corners) const {
+    const float share = 1.0F / static_cast<float>(link.ray_count);
+    Rgb mean(0.0F);
+    std::array<Rgb, 3> lean{};
+    for (const NearHit& hit : hits_.subspan(link.first_hit, link.hit_count)) {
+        const Rgb radiosity = radiosity_at(hit);
+        mean += share * radiosity;
+        for (int k = 0; k < 3; ++k) {
+            lean[k] += hit.lean[k] * radiosity;
+        }
+    }
+    for (Rgb& corner : corners) {
+        corner += mean;
+    }
+    form.coefficients[0] += mean;
+    // No face gets less than nothing.
+    const Rgb size = glm::sqrt(lean[0] * lean[0] + lean[1] * lean[1] + lean[2] * lean[2]);
+    const Rgb scale = glm::min(Rgb(1.0F), mean / glm::max(size, Rgb(1e-30F)));
+    for (int k = 0; k < 3; ++k) {
+        form.coefficients[1 + k] += scale * lean[k];
+    }
 }
 
 void Lighting::gather(NodeId receiver) {
@@ -145,11 +192,12 @@ void Lighting::gather(NodeId receiver) {
         if (!(factor > 0)) {
             continue;
         }
-        Rgb arriving;
         if (link.near) {
-            const bool one_sided = link.sender != receiver && link.shape != Vec3(0.0F);
-            arriving = factor * (one_sided ? radiosity_towards(link.sender, -link.shape) : radiosity_[link.sender]);
-        } else if (is_cluster(from)) {
+            gather_near(link, form, corners);
+            continue;
+        }
+        Rgb arriving;
+        if (is_cluster(from)) {
             const Vec3 towards = normalize_or_zero(to.center - from.center);
             arriving = kPi * factor * evaluate_clamped(intensity_[slot_[link.sender]], towards);
         } else {
@@ -157,10 +205,8 @@ void Lighting::gather(NodeId receiver) {
         }
         if (to.kind == NodeKind::kElement) {
             for (int k = 0; k < 3; ++k) {
-                corners[k] += (link.near ? 1.0F : link.shape[k]) * arriving;
+                corners[k] += link.shape[k] * arriving;
             }
-        } else if (link.near) {
-            form.coefficients[0] += arriving;
         } else {
             add_cone(form, arriving, link.shape);
         }
@@ -216,7 +262,6 @@ void Lighting::pull(NodeId id) {
         const LeafCluster& leaf = leaves_[leaf_slot_[id]];
         const DirectionalForm& light = received_[slot_[id]];
         intensity_[slot_[id]] = leaf.emission + leaf.reflect.apply(light);
-        shown_[slot_[id]] = leaf.shown;
         const Rgb reflected = glm::max(leaf.reflect.reflected_power(light), Rgb(0.0F));
         const auto inverse_area = static_cast<float>(1.0 / std::max(leaf.area, 1e-30));
         radiosity_[id] = (leaf.emitted_power + reflected) * inverse_area;
@@ -227,7 +272,6 @@ void Lighting::pull(NodeId id) {
     glm::dvec3 power(0.0), arriving(0.0);
     double area = 0, squares = 0;
     DirectionalForm intensity;
-    std::array<float, kFormSize> shown{};
     for (NodeId child = node.first_child; child < node.first_child + node.child_count; ++child) {
         area += area_[child];
         power += area_[child] * glm::dvec3(radiosity_[child]);
@@ -237,12 +281,8 @@ void Lighting::pull(NodeId id) {
         if (node.kind != NodeKind::kElement) {
             if (is_cluster(nodes[child])) {
                 intensity += intensity_[slot_[child]];
-                for (std::size_t i = 0; i < kFormSize; ++i) {
-                    shown[i] += shown_[slot_[child]][i];
-                }
             } else {
                 add_face(intensity, radiosity_[child] * (nodes[child].area / kPi), nodes[child].normal);
-                add_shown(shown, nodes[child].area, nodes[child].normal);
             }
         }
     }
@@ -253,7 +293,6 @@ void Lighting::pull(NodeId id) {
     spread_[id] = static_cast<float>(std::sqrt(std::max(0.0, squares / std::max(area, 1e-300) - mean * mean)));
     if (node.kind != NodeKind::kElement) {
         intensity_[slot_[id]] = intensity;
-        shown_[slot_[id]] = shown;
     }
 }
 
@@ -273,6 +312,7 @@ double Lighting::iterate(const Control& control) {
         return 0;
     }
     make_leaf_clusters(control);
+    shining_ = received_;
     const auto generations = hierarchy_.generations();
     const auto count = hierarchy_.nodes().size();
     parallel_for(count, kBlock, control, [&](std::size_t id) {

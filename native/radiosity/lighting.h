@@ -18,7 +18,6 @@ class Control;
 struct LeafCluster {
     ReflectionOperator reflect;
     DirectionalForm emission;   // W/sr
-    std::array<float, kFormSize> shown{};  // m2: area that faces a direction, as coefficients of form_basis
     Rgb emitted_power{0.0F};    // W
     double area = 0;            // m2, every lit side
 };
@@ -30,8 +29,8 @@ class Lighting {
     // Takes in nodes that were opened since: until light is gathered, a child has its parent's irradiance.
     void grow(const Control& control);
 
-    // Sorts the links by receiver, keeping their order otherwise. They stay the caller's.
-    void set_links(std::span<const Link> links);
+    // Sorts the links by receiver, keeping their order otherwise, and finds what near links hit. They stay the caller's.
+    void set_links(Links& links, const Control& control);
 
     // One Jacobi iteration: gathers over the links, pushes, pulls. Returns the largest relative step: the change of the
     // total reflected power over the power [0..].
@@ -55,7 +54,9 @@ class Lighting {
   private:
     void make_leaf_clusters(const Control& control);
     void gather(NodeId receiver);
-    [[nodiscard]] Rgb radiosity_towards(NodeId cluster, Vec3 direction) const;
+    [[nodiscard]] Rgb radiosity_at(const NearHit& hit) const;
+    void gather_near(const Link& link, DirectionalForm& form, std::array<Rgb, 3>& corners) const;
+    [[nodiscard]] NodeId leaf_at(NodeId sender, const NearHit& hit) const;
     void push(NodeId id);
     void pull(NodeId id);
     [[nodiscard]] double total_reflected_power() const;
@@ -67,10 +68,11 @@ class Lighting {
     std::vector<std::uint32_t> slot_;  // cluster -> received_, intensity_; element -> corners_
     std::vector<std::array<Rgb, 3>> corners_;  // irradiance at an element's corners
     std::vector<DirectionalForm> received_, intensity_;
-    std::vector<std::array<float, kFormSize>> shown_;  // see LeafCluster
+    std::vector<DirectionalForm> shining_;  // received_ of the iteration before
     std::vector<std::uint32_t> leaf_slot_;  // leaf cluster -> leaves_, or kNone
     std::vector<LeafCluster> leaves_;
     std::span<const Link> links_;
+    std::span<const NearHit> hits_;
     std::vector<std::uint32_t> link_order_, link_begin_;
     double reflected_power_ = 0;
 };

@@ -32,6 +32,9 @@ float allowed_error(const Node& receiver, float irradiance, const RefineSettings
            std::max(1.0F, detail / size);
 }
 
+// Its square root for the same reason: a dark surface is compared with itself.
+float seen_reflectance(const Node& node) { return std::sqrt(std::max(luminance(node.reflectance), kLeastReflectance)); }
+
 bool can_split(const Node& node, const RefineSettings& settings) {
     switch (node.kind) {
         case NodeKind::kInstances:
@@ -103,7 +106,7 @@ Verdict side_to_split(const Node& receiver, const Node& sender, const RefineSett
 bool still_good(const Hierarchy& hierarchy, const Lighting& lighting, const Link& link, const RefineSettings& settings) {
     const Node& receiver = hierarchy[link.receiver];
     const Node& sender = hierarchy[link.sender];
-    const float reflectance = std::max(luminance(receiver.reflectance), kLeastReflectance);
+    const float reflectance = seen_reflectance(receiver);
     const float light = strength(sender, luminance(lighting.radiosity(link.sender)));
     const float sent = light * surface_shown(sender, link.near);
     const float irradiance =
@@ -119,7 +122,7 @@ bool still_good(const Hierarchy& hierarchy, const Lighting& lighting, const Link
 }
 
 Decision decide(const Hierarchy& hierarchy, const Lighting& lighting, const RayTracer& tracer, NodeId receiver_id,
-                NodeId sender_id, const RefineSettings& settings) {
+                NodeId sender_id, const RefineSettings& settings, NearHits& hits) {
     const Node& receiver = hierarchy[receiver_id];
     const Node& sender = hierarchy[sender_id];
     const bool self = receiver_id == sender_id;
@@ -131,11 +134,11 @@ Decision decide(const Hierarchy& hierarchy, const Lighting& lighting, const RayT
     }
     const float irradiance = luminance(lighting.irradiance(receiver_id));
     const float allowed = allowed_error(receiver, irradiance, settings);
-    const float reflectance = std::max(luminance(receiver.reflectance), kLeastReflectance);
+    const float reflectance = seen_reflectance(receiver);
     const float light = strength(sender, luminance(lighting.radiosity(sender_id)));
     const float most = reflectance * light * (self ? 1.0F : form_factor_bound(hierarchy, receiver, sender));
     if (most <= kInsignificant * allowed) {
-        Link link = estimate_link(hierarchy, tracer, receiver_id, sender_id, 4);
+        Link link = estimate_link(hierarchy, tracer, receiver_id, sender_id, 4, SampleSet::kLink, &hits);
         link.shape_error = 0;
         link.level_error = form_factor_bound(hierarchy, receiver, sender) / surface_shown(sender, link.near);
         return {Verdict::kAccept, link};
@@ -150,11 +153,11 @@ Decision decide(const Hierarchy& hierarchy, const Lighting& lighting, const RayT
     }
     // As many rays as it takes to believe that nothing, or everything, is in between.
     const int rays = static_cast<int>(std::clamp(std::ceil(2 * most / allowed), 4.0F, 64.0F));
-    const Link judged = estimate_link(hierarchy, tracer, receiver_id, sender_id, rays, SampleSet::kJudge);
+    const Link judged = estimate_link(hierarchy, tracer, receiver_id, sender_id, rays, SampleSet::kJudge, nullptr);
     if (split != Verdict::kAccept && !still_good(hierarchy, lighting, judged, settings)) {
         return {split, {}};
     }
-    Link link = estimate_link(hierarchy, tracer, receiver_id, sender_id, rays, SampleSet::kLink);
+    Link link = estimate_link(hierarchy, tracer, receiver_id, sender_id, rays, SampleSet::kLink, &hits);
     link.shape_error = judged.shape_error;
     link.level_error = judged.level_error;
     return {Verdict::kAccept, link};

@@ -13,7 +13,7 @@ enum class Verdict : std::uint8_t { kAccept, kDrop, kSplitReceiver, kSplitSender
 
 struct Decision {
     Verdict verdict = Verdict::kDrop;
-    Link link;  // of kAccept
+    Link link;  // of kAccept; its hits are appended to those given to decide()
 };
 
 // Whether a link that was estimated earlier still holds with the light of now. Traces nothing.
@@ -21,6 +21,6 @@ struct Decision {
                               const RefineSettings& settings);
 
 [[nodiscard]] Decision decide(const Hierarchy& hierarchy, const Lighting& lighting, const RayTracer& tracer,
-                              NodeId receiver, NodeId sender, const RefineSettings& settings);
+                              NodeId receiver, NodeId sender, const RefineSettings& settings, NearHits& hits);
 
 }  // namespace gg

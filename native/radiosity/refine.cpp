@@ -1,6 +1,7 @@
 #include "radiosity/refine.h"
 
 #include <algorithm>
+#include <span>
 
 #include "core/control.h"
 #include "core/parallel.h"
@@ -11,12 +12,24 @@ namespace gg {
 
 namespace {
 
+// Appends links, whose hits are first_hit.. of `hits`.
+void append(Links& to, std::span<const Link> links, const NearHits& hits) {
+    for (Link link : links) {
+        if (link.near) {
+            const auto begin = hits.begin() + link.first_hit;
+            link.first_hit = static_cast<std::uint32_t>(to.hits.size());
+            to.hits.insert(to.hits.end(), begin, begin + link.hit_count);
+        }
+        to.all.push_back(link);
+    }
+}
+
 struct Pair {
     NodeId receiver, sender;
 };
 
 struct Round {
-    std::vector<Link> accepted;
+    Links accepted;
     std::vector<Pair> open_pairs;
     std::vector<Verdict> verdicts;  // of open_pairs
 };
@@ -29,9 +42,10 @@ Round judge(const Hierarchy& hierarchy, const Lighting& lighting, const RayTrace
     parallel_blocks(pairs.size(), kBlock, control, [&](std::size_t begin, std::size_t end) {
         Round& part = parts[begin / kBlock];
         for (std::size_t i = begin; i < end; ++i) {
-            const Decision decision = decide(hierarchy, lighting, tracer, pairs[i].receiver, pairs[i].sender, settings);
+            const Decision decision = decide(hierarchy, lighting, tracer, pairs[i].receiver, pairs[i].sender, settings,
+                                             part.accepted.hits);
             if (decision.verdict == Verdict::kAccept) {
-                part.accepted.push_back(decision.link);
+                part.accepted.all.push_back(decision.link);
             } else if (decision.verdict != Verdict::kDrop) {
                 part.open_pairs.push_back(pairs[i]);
                 part.verdicts.push_back(decision.verdict);
@@ -40,7 +54,7 @@ Round judge(const Hierarchy& hierarchy, const Lighting& lighting, const RayTrace
     });
     Round all;
     for (const Round& part : parts) {
-        all.accepted.insert(all.accepted.end(), part.accepted.begin(), part.accepted.end());
+        append(all.accepted, part.accepted.all, part.accepted.hits);
         all.open_pairs.insert(all.open_pairs.end(), part.open_pairs.begin(), part.open_pairs.end());
         all.verdicts.insert(all.verdicts.end(), part.verdicts.begin(), part.verdicts.end());
     }
@@ -87,43 +101,43 @@ std::vector<Pair> pairs_of_children(const Hierarchy& hierarchy, const Round& rou
 
 }  // namespace
 
-std::vector<Link> initial_links(const Hierarchy& hierarchy) {
-    std::vector<Link> links;
+Links initial_links(const Hierarchy& hierarchy) {
+    Links links;
     if (!hierarchy.has_geometry()) {
         return links;
     }
     Link link;
     link.level_error = kInfinity;  // never judged
-    links.push_back(link);
+    links.all.push_back(link);
     for (const NodeId sender : hierarchy.infinite_and_lamps()) {
         link.sender = sender;
-        links.push_back(link);
+        links.all.push_back(link);
     }
     return links;
 }
 
-std::vector<Link> refine(Hierarchy& hierarchy, Lighting& lighting, const RayTracer& tracer, std::vector<Link> links,
-                         const RefineSettings& settings, const Control& control, Statistics& statistics) {
-    std::vector<Link> kept;
+void refine(Hierarchy& hierarchy, Lighting& lighting, const RayTracer& tracer, Links& links,
+            const RefineSettings& settings, const Control& control, Statistics& statistics) {
+    Links kept;
     std::vector<Pair> pairs;
-    for (const Link& link : links) {
+    for (const Link& link : links.all) {
         if (still_good(hierarchy, lighting, link, settings)) {
-            kept.push_back(link);
+            append(kept, {&link, 1}, links.hits);
         } else {
             pairs.push_back({link.receiver, link.sender});
         }
     }
-    std::vector<Link>().swap(links);
+    links = {};
     std::size_t judged = 0;
     while (!pairs.empty()) {
         judged += pairs.size();
-        Round round = judge(hierarchy, lighting, tracer, pairs, settings, control);
-        kept.insert(kept.end(), round.accepted.begin(), round.accepted.end());
+        const Round round = judge(hierarchy, lighting, tracer, pairs, settings, control);
+        append(kept, round.accepted.all, round.accepted.hits);
         open_nodes(hierarchy, lighting, round, control);
         pairs = pairs_of_children(hierarchy, round);
     }
+    links = std::move(kept);
     statistics.set_count("pairs judged", static_cast<double>(judged));
-    return kept;
 }
 
 }  // namespace gg

@@ -20,13 +20,12 @@ struct RefineSettings {
 };
 
 // Pairs that every refinement starts from: the geometry with itself, with every lamp and with the sky.
-[[nodiscard]] std::vector<Link> initial_links(const Hierarchy& hierarchy);
+[[nodiscard]] Links initial_links(const Hierarchy& hierarchy);
 
 // Replaces links whose error exceeds the tolerance by links between children, opening nodes as needed, until none does
 // or nodes are at their smallest. Every receiving point stays linked to every sending point exactly once; pairs that can
 // never exchange light are left out.
-[[nodiscard]] std::vector<Link> refine(Hierarchy& hierarchy, Lighting& lighting, const RayTracer& tracer,
-                                       std::vector<Link> links, const RefineSettings& settings, const Control& control,
-                                       Statistics& statistics);
+void refine(Hierarchy& hierarchy, Lighting& lighting, const RayTracer& tracer, Links& links,
+            const RefineSettings& settings, const Control& control, Statistics& statistics);
 
 }  // namespace gg

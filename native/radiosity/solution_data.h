@@ -37,7 +37,7 @@ struct Solution {
 
     Hierarchy hierarchy;
     Lighting lighting;
-    std::vector<Link> links;
+    Links links;
     ReferenceWhite white;
     std::vector<InstanceVertices> vertices;         // per instance
     std::vector<ElementVertices> element_vertices;  // per node; set for leaf elements

@@ -32,7 +32,7 @@ Power power_balance(const Solution& solution) {
             power.emitted += area * luminance(solution.lighting.radiosity(id) - node.reflectance * irradiance);
         }
     }
-    for (const Link& link : solution.links) {
+    for (const Link& link : solution.links.all) {
         if (solution.hierarchy[link.sender].kind == NodeKind::kLamp) {
             const bool element = solution.hierarchy[link.receiver].kind == NodeKind::kElement;
             power.emitted += (element ? 1.0 : 0.25) * solution.lighting.area(link.receiver) * link.form_factor *
@@ -53,7 +53,7 @@ void report(const Solution& solution, Statistics& statistics) {
     statistics.set_count("leaf clusters", static_cast<double>(clusters));
     statistics.set_count("opened nodes", static_cast<double>(open));
     std::size_t to_surface = 0, near = 0, lamps = 0, sky = 0, dark = 0;
-    for (const Link& link : solution.links) {
+    for (const Link& link : solution.links.all) {
         const NodeKind sender = solution.hierarchy[link.sender].kind;
         near += link.near;
         lamps += sender == NodeKind::kLamp;
@@ -61,7 +61,7 @@ void report(const Solution& solution, Statistics& statistics) {
         dark += !(link.visibility > 0);
         to_surface += solution.hierarchy[link.receiver].kind == NodeKind::kElement;
     }
-    statistics.set_count("links", static_cast<double>(solution.links.size()));
+    statistics.set_count("links", static_cast<double>(solution.links.all.size()));
     statistics.set_count("links to elements", static_cast<double>(to_surface));
     statistics.set_count("links of touching nodes", static_cast<double>(near));
     statistics.set_count("links from lamps", static_cast<double>(lamps));
@@ -73,7 +73,8 @@ void report(const Solution& solution, Statistics& statistics) {
     statistics.set_count("reference white", solution.white.irradiance);
     statistics.set_count("extent of light", solution.white.extent);
     statistics.set_bytes("hierarchy", static_cast<double>(solution.hierarchy.bytes() + solution.lighting.bytes()));
-    statistics.set_bytes("links", static_cast<double>(solution.links.capacity() * sizeof(Link)));
+    statistics.set_bytes("links", static_cast<double>(solution.links.all.capacity() * sizeof(Link) +
+                                             solution.links.hits.capacity() * sizeof(NearHit)));
 }
 
 }  // namespace
@@ -93,11 +94,11 @@ std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& c
             const StageTimer timer(statistics, "refine");
             solution->white = reference_white(solution->hierarchy, solution->lighting);
             const RefineSettings refine_settings{settings.quality * coarseness, solution->white};
-            solution->links = refine(solution->hierarchy, solution->lighting, tracer, std::move(solution->links),
-                                     refine_settings, control, statistics);
+            refine(solution->hierarchy, solution->lighting, tracer, solution->links, refine_settings, control,
+                   statistics);
         }
         const StageTimer timer(statistics, "gather");
-        solution->lighting.set_links(solution->links);
+        solution->lighting.set_links(solution->links, control);
         const int most = coarseness > 1 ? kSweepsBetween : kSweepsAtEnd;
         for (int sweep = 0; sweep < most; ++sweep, ++sweeps) {
             if (solution->lighting.iterate(control) < kConverged) {

@@ -24,7 +24,7 @@ class BoxTree {
         }
     }
 
-    [[nodiscard]] bool holds_another(std::uint32_t query) const { return !nodes_.empty() && search(0, query); }
+    [[nodiscard]] bool holds_another(std::uint32_t query) const { return search(0, query); }
 
   private:
     struct Node {

@@ -44,15 +44,13 @@ std::optional<Affine> make_invertible(const Affine& map, const Box& mesh_bounds)
     if (!(longest >= kLeastScale && longest <= kLargestScale)) {
         return std::nullopt;
     }
-    int flattened = 0;
     for (int axis = 0; axis < 3; ++axis) {
         if (axis_length(axis) <= kFlatScale * longest) {
             thicken_axis(result, axis, mesh_bounds);
-            ++flattened;
         }
     }
     const float determinant = std::abs(glm::determinant(result.linear));
-    if (flattened > 1 || !(determinant > kLeastDeterminant * axis_length(0) * axis_length(1) * axis_length(2))) {
+    if (!(determinant > kLeastDeterminant * axis_length(0) * axis_length(1) * axis_length(2))) {
         return std::nullopt;
     }
     return result;

@@ -3,7 +3,7 @@
 import math
 
 from .. import description
-from ..compat import light_factor, node_tree
+from ..compat import casts_shadow, light_factor, node_tree
 from ..description import AREA_ELLIPSE, AREA_RECTANGLE, LIGHT_AREA, LIGHT_POINT, LIGHT_SPOT, LIGHT_SUN, Light
 from .identity import rows
 from .surface import SurfaceReader
@@ -30,7 +30,7 @@ def export_light(instance, stable_id: int, scene: description.Scene) -> Light | 
     light.power = tuple(data.energy * c * t * f for c, t, f in zip(data.color, tint, factor, strict=True))
     if not any(light.power):
         return None
-    if not data.use_shadow:
+    if not casts_shadow(data):
         scene.say(lamp.name, "light without shadows casts them all the same")
     if data.type == "AREA" and getattr(data, "spread", math.pi) < math.pi:
         scene.say(lamp.name, "Spread of the area light is taken as 180 degrees")

@@ -23,14 +23,20 @@ def export_frame(depsgraph, width: int, height: int, camera=None, cancelled=lamb
     Raises ExportError, or ExportCancelledError once cancelled().
     """
     start = time.perf_counter()
-    camera = export_camera(depsgraph, camera or depsgraph.scene.camera, width, height)
+    camera = camera or depsgraph.scene.camera
+    window = export_camera(depsgraph, camera, width, height)
     settings = export_settings(depsgraph.scene_eval, width, height)
     scene = export_scene(depsgraph, cancelled)
-    return Frame(scene, camera, settings, time.perf_counter() - start)
+    if camera.data.dof.use_dof:
+        scene.say(camera.name, "Depth of Field is left out")
+    return Frame(scene, window, settings, time.perf_counter() - start)
 
 
 def export_scene(depsgraph, cancelled=lambda: False) -> Scene:
-    scene = Scene()
+    scene, render = Scene(), depsgraph.scene.render
+    for name, used in (("Motion Blur", render.use_motion_blur), ("Stereoscopy", render.use_multiview)):
+        if used:
+            scene.say(depsgraph.scene.name, f"{name} is left out")
     scene.world = export_world(depsgraph.scene_eval.world, scene)
     placing = _Placing(depsgraph, scene)
     for number, instance in enumerate(depsgraph.object_instances):

@@ -2,6 +2,7 @@
 
 from .. import description
 from ..compat import node_tree
+from .nodes import follow
 from .surface import SurfaceReader
 
 
@@ -15,5 +16,8 @@ def export_world(world, scene: description.Scene) -> tuple[float, float, float]:
     output = tree.get_output_node("CYCLES")
     if output is None:
         return (0.0, 0.0, 0.0)
-    _, radiance = SurfaceReader(world.name, scene).shader(output.inputs["Surface"])
+    reader = SurfaceReader(world.name, scene)
+    if follow(output.inputs["Volume"])[0] is not None:
+        reader.say("Volume is ignored")
+    _, radiance = reader.shader(output.inputs["Surface"])
     return radiance.factor

@@ -78,6 +78,7 @@ TEST(SurfaceColor, reflectance_stays_below_one_so_that_light_dies_out) {
     materials.add(Rgb(7));
     materials.add(Rgb(1)).image = 0;
     const SurfaceColors colors = materials.colors();
+    EXPECT_LT(kLargestReflectance, 1);
     EXPECT_EQ(colors.reflectance_at(0, {0, 0}, 0), Rgb(kLargestReflectance));
     EXPECT_EQ(colors.reflectance_at(1, {0, 0}, 0), Rgb(kLargestReflectance, kLargestReflectance, 0));
 }
@@ -124,8 +125,9 @@ TEST(SurfaceColor, factor_scales_the_image_at_the_mapped_coordinates) {
     std::copy(std::begin(swap_and_shift), std::end(swap_and_shift), input.uv_map);
     const SurfaceColors colors = materials.colors();
     EXPECT_TRUE(colors.is_textured(0));
-    EXPECT_EQ(colors.reflectance_at(0, {0.25F, 0.25F}, 0), Rgb(0.125F, 0.0625F, 0));  // (0.75, 0.25): lower right
-    EXPECT_EQ(colors.reflectance_at(0, {0.75F, 0.75F}, 0), Rgb(0.25F, 0.125F, 0));    // (1.25, 0.75): upper left
+    EXPECT_EQ(colors.reflectance_at(0, {0.25F, 0.25F}, 0), Rgb(0.125F, 0.0625F, 0));    // (0.75, 0.25): lower right
+    EXPECT_EQ(colors.reflectance_at(0, {0.25F, 0.75F}, 0), Rgb(0.0625F, 0.03125F, 0));  // (1.25, 0.25): lower left
+    EXPECT_EQ(colors.reflectance_at(0, {0.75F, 0.75F}, 0), Rgb(0.25F, 0.125F, 0));      // (1.25, 0.75): upper left
 }
 
 TEST(SurfaceColor, the_width_is_stretched_like_the_coordinates) {

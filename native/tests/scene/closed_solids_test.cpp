@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/control.h"
 #include "scene/weld.h"
 #include "support/meshes.h"
@@ -50,6 +52,25 @@ TEST(ClosedSolids, a_box_without_a_face_is_open) {
     MeshDescription mesh = make_box(Vec3(0), Vec3(1));
     mesh.triangle_vertices.resize(30);
     EXPECT_EQ(sides_of(mesh), all(10, kOpen));
+}
+
+TEST(ClosedSolids, a_tetrahedron_without_any_one_face_is_open_however_its_corners_are_numbered) {
+    for (std::uint32_t turn = 0; turn < 4; ++turn) {
+        MeshDescription mesh =
+            make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2});
+        std::rotate(mesh.positions.begin(), mesh.positions.begin() + turn, mesh.positions.end());
+        for (std::uint32_t& vertex : mesh.triangle_vertices) {
+            vertex = (vertex + 4 - turn) % 4;
+        }
+        EXPECT_EQ(sides_of(mesh), all(4, Sides::kFront));
+        for (int face = 0; face < 4; ++face) {
+            std::rotate(mesh.triangle_vertices.begin(), mesh.triangle_vertices.begin() + 3,
+                        mesh.triangle_vertices.end());
+            MeshDescription open = mesh;
+            open.triangle_vertices.resize(9);
+            EXPECT_EQ(sides_of(open), all(3, kOpen));
+        }
+    }
 }
 
 TEST(ClosedSolids, one_flipped_triangle_opens_a_box) {

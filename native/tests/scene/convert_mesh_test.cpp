@@ -168,7 +168,10 @@ TEST(ConvertMesh, bounds_are_those_of_used_vertices) {
 
 TEST(ConvertMesh, nothing_usable_gives_a_mesh_without_triangles) {
     EXPECT_TRUE(convert_mesh(make_mesh({}, {}), Control{}).mesh.triangles.empty());
-    EXPECT_TRUE(convert_mesh(make_mesh(kSquare, {0, 0, 1}), Control{}).mesh.triangles.empty());
+    const Mesh mesh = convert_mesh(make_mesh(kSquare, {0, 0, 1}), Control{}).mesh;
+    EXPECT_TRUE(mesh.triangles.empty());
+    EXPECT_TRUE(mesh.positions.empty());
+    EXPECT_TRUE(mesh.bounds.empty());
 }
 
 }  // namespace

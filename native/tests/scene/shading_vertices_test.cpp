@@ -32,7 +32,7 @@ TEST(ShadingVertices, corners_with_other_normals_stay_apart) {
 
 TEST(ShadingVertices, tolerance_bounds_the_difference_of_normals) {
     std::vector<Vec3> normals(6, Vec3(0, 0, 1));
-    normals[3] = {5e-4F, 0, 1};
+    normals[3] = {2e-4F, 0, 1};
     EXPECT_EQ(make_shading_vertices(kFan, kSeparate, normals, 1e-3F).normals.size(), 4U);
     EXPECT_EQ(make_shading_vertices(kFan, kSeparate, normals, 1e-4F).normals.size(), 5U);
 }
@@ -43,20 +43,24 @@ TEST(ShadingVertices, split_vertices_at_one_position_share_one) {
     EXPECT_EQ(make_shading_vertices(apart, welded, std::vector<Vec3>(6, Vec3(1, 0, 0)), 1e-4F).normals.size(), 4U);
 }
 
-TEST(ShadingVertices, the_tip_of_a_cone_with_very_many_normals_ends_soon) {
-    constexpr std::uint32_t kCount = 300000;
+// Shading vertices of a fan around vertex 0 where triangle i has normal i, and the last triangle the first one's again.
+std::size_t count_at_tip(std::uint32_t different_normals) {
     std::vector<TriangleCorners> triangles;
     std::vector<std::uint32_t> welded = {0};
     std::vector<Vec3> normals;
-    for (std::uint32_t index = 0; index < kCount; ++index) {
-        triangles.push_back({0, index + 1, index + 2});
-        welded.push_back(index + 1);
-        const float angle = 2 * kPi * static_cast<float>(index) / kCount * 1000;
+    for (std::uint32_t index = 0; index <= different_normals; ++index) {
+        triangles.push_back({0, 2 * index + 1, 2 * index + 2});
+        welded.insert(welded.end(), {2 * index + 1, 2 * index + 2});
+        const float angle = static_cast<float>(index % different_normals) / static_cast<float>(different_normals);
         normals.insert(normals.end(), 3, Vec3(std::cos(angle), std::sin(angle), 0));
     }
-    welded.push_back(kCount + 1);
-    const ShadingVertices shading = make_shading_vertices(triangles, welded, normals, 1e-6F);
-    EXPECT_GE(shading.normals.size(), std::size_t{kCount});
+    return make_shading_vertices(triangles, welded, normals, 1e-6F).normals.size() - 2 * triangles.size();
+}
+
+TEST(ShadingVertices, only_the_latest_32_normals_of_a_vertex_are_compared) {
+    EXPECT_EQ(count_at_tip(32), 32U);
+    EXPECT_EQ(count_at_tip(33), 34U);
+    EXPECT_EQ(count_at_tip(20000), 20001U);
 }
 
 }  // namespace
