@@ -7,6 +7,7 @@ from building import link, material, operator_object, quad
 from capture import export
 from gridgather.description import HIDDEN_FROM_CAMERA, HIDDEN_FROM_LIGHT, NONE
 from gridgather.export import ExportCancelledError
+from gridgather.export.identity import distinct_id
 from gridgather.export.scene import export_scene
 
 
@@ -73,6 +74,11 @@ def test_stable_ids_do_not_depend_on_what_else_there_is():
     after = ids(export())
     assert len(before) == 2
     assert before < after
+
+
+def test_ids_that_collide_are_moved_apart():
+    taken = set()
+    assert [distinct_id(wanted, taken) for wanted in (7, 7, 8, 2**64 - 1, 2**64 - 1)] == [7, 8, 9, 2**64 - 1, 0]
 
 
 def test_particles_place_their_object():

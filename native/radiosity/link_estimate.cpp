@@ -18,17 +18,19 @@ constexpr int kMaxRays = 64;
 constexpr int kPoints = 4;  // of an element, at which form factors are evaluated
 constexpr int kClusterPoints = 16;
 
-// Centroids of an element's quarters: the same for every sender, so that the form factors of senders that together
-// cover a hemisphere sum to exactly one.
-std::array<Vec3, kPoints> element_points(const Node& node) {
-    const Vec3* c = node.corner;
-    std::array<Vec3, kPoints> points;
-    for (int k = 0; k < 3; ++k) {
-        points[k] = (4.0F * c[k] + c[(k + 1) % 3] + c[(k + 2) % 3]) / 6.0F;
+// Corners of quarter k, numbered as in hierarchy.cpp.
+std::array<Vec3, 3> quarter_of(const std::array<Vec3, 3>& c, int k) {
+    if (k == 3) {
+        return {0.5F * (c[1] + c[2]), 0.5F * (c[2] + c[0]), 0.5F * (c[0] + c[1])};
     }
-    points[3] = node.center;
-    return points;
+    std::array<Vec3, 3> quarter;
+    for (int i = 0; i < 3; ++i) {
+        quarter[i] = 0.5F * (c[i] + c[k]);
+    }
+    return quarter;
 }
+
+Vec3 centroid(const std::array<Vec3, 3>& c) { return (c[0] + c[1] + c[2]) / 3.0F; }
 
 // Stratified in the order of the tree, which is that of places. Too few would bias the solution: links whose sampled
 // form factor is too small are the ones that pass for good.
@@ -155,6 +157,27 @@ float form_factor_at(const Hierarchy& hierarchy, const Node& receiver, const Nod
     }
     const Arrival light = arrival(hierarchy, sender, x);
     return light.factor * std::max(0.0F, dot(receiver.normal, light.direction));
+}
+
+// Mean form factors of an element's quarters, at their centroids: the same points for every sender, so that the form
+// factors of senders that together cover a hemisphere sum to exactly one. Next to the sender form factors are steep, and
+// one point misses much of what falls near a common edge: there every quarter has four.
+std::array<float, kPoints> quarter_form_factors(const Hierarchy& hierarchy, const Node& receiver, const Node& sender) {
+    const std::array<Vec3, 3> whole{receiver.corner[0], receiver.corner[1], receiver.corner[2]};
+    const bool steep = sender.kind == NodeKind::kElement &&
+                       length(receiver.center - sender.center) < 1.5F * (receiver.radius + sender.radius);
+    std::array<float, kPoints> factors{};
+    for (int k = 0; k < kPoints; ++k) {
+        const std::array<Vec3, 3> quarter = quarter_of(whole, k);
+        if (!steep) {
+            factors[k] = form_factor_at(hierarchy, receiver, sender, centroid(quarter));
+            continue;
+        }
+        for (int i = 0; i < kPoints; ++i) {
+            factors[k] += 0.25F * form_factor_at(hierarchy, receiver, sender, centroid(quarter_of(quarter, i)));
+        }
+    }
+    return factors;
 }
 
 // The linear function over an element that fits its values at the centroids of the quarters best. Returns its error.
@@ -479,10 +502,9 @@ Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId r
     const ShadowRays pairs = make_shadow_rays(hierarchy, to, from, count, samples);
     const Seen seen = trace_shadow_rays(tracer, pairs, count, link);
     if (to.kind == NodeKind::kElement) {
-        const auto points = element_points(to);
-        std::array<float, kPoints> unoccluded{}, arriving{};
+        const std::array<float, kPoints> unoccluded = quarter_form_factors(hierarchy, to, from);
+        std::array<float, kPoints> arriving{};
         for (int k = 0; k < kPoints; ++k) {
-            unoccluded[k] = form_factor_at(hierarchy, to, from, points[k]);
             arriving[k] = unoccluded[k] * seen.quarters[k];
         }
         link.form_factor = 0.25F * (unoccluded[0] + unoccluded[1] + unoccluded[2] + unoccluded[3]);

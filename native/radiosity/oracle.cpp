@@ -10,7 +10,8 @@ namespace gg {
 namespace {
 
 // Sizes as shares of the extent of the light (ReferenceWhite::extent).
-constexpr float kDetail = 0.1F;       // smaller receivers may be wrong by more, in proportion to their size
+constexpr float kDetail = 0.4F;         // smaller receivers may be wrong by more, the smaller their area
+constexpr float kLargeCluster = 0.1F;   // larger clusters are looked into
 constexpr float kSmallestElement = 0.03F;
 constexpr float kSmallestCluster = 0.04F;
 constexpr float kSmallestSky = 0.02F;  // sr
@@ -28,8 +29,9 @@ float allowed_error(const Node& receiver, float irradiance, const RefineSettings
     const float white = settings.white.irradiance;
     const float detail = kDetail * settings.white.extent;
     const float size = std::max(2 * receiver.radius, 1e-12F);
+    const float small = std::max(1.0F, detail / size);
     return settings.tolerance * std::sqrt(white * std::max(irradiance, kDarkest * white)) *
-           std::max(1.0F, detail / size);
+           small * small;
 }
 
 // Its square root for the same reason: a dark surface is compared with itself.
@@ -64,13 +66,13 @@ float surface_shown(const Node& sender, bool near) {
 // A large cluster that has large faces of its own, such as a wall of two triangles: no directional form describes it as
 // well as its faces do, and they are few.
 bool has_large_faces(const Hierarchy& hierarchy, const Node& node, const RefineSettings& settings) {
-    return node.kind == NodeKind::kCluster && 2 * node.radius > kDetail * settings.white.extent &&
+    return node.kind == NodeKind::kCluster && 2 * node.radius > kLargeCluster * settings.white.extent &&
            hierarchy.tree_node(node).direct_end > hierarchy.tree_node(node).begin;
 }
 
 // Whole objects, large and small, lit and in the dark: samples by area would see the largest only.
 bool is_mixed(const Node& node, const RefineSettings& settings) {
-    return node.kind == NodeKind::kInstances && 2 * node.radius > kDetail * settings.white.extent;
+    return node.kind == NodeKind::kInstances && 2 * node.radius > kLargeCluster * settings.white.extent;
 }
 
 // Share of a sender's light that comes from unknown parts of it: what is seen of it in part may be its bright part (lit

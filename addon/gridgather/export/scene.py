@@ -124,7 +124,7 @@ class _Placing:
             all(getattr(item, name) for item in pair)
             for name in ("visible_camera", "visible_diffuse", "visible_shadow")
         )
-        if owner.holdout_get(view_layer=self._view_layer) or thing.is_holdout:
+        if owner.holdout_get(view_layer=self._view_layer):
             self._scene.say(thing.name, "Holdout is ignored")
         if thing.is_shadow_catcher:
             self._scene.say(thing.name, "Shadow Catcher is ignored")

@@ -46,7 +46,7 @@ TEST_P(Clustering, reflects_as_much_as_a_fine_solution) {
         power[fine] = reflected_power(*solution);
         object_power[fine] = means.area * luminance_of(means.irradiance);
         printf("%s fine %d power %.4f object %.4f leaves %zu links %zu %s\n", GetParam().name, fine, power[fine], object_power[fine],
-               surface_leaves(*solution).size(), solution->links.size(), prepared.statistics.json().substr(0,90).c_str());
+               surface_leaves(*solution).size(), solution->links.all.size(), prepared.statistics.json().substr(0,90).c_str());
     }
     EXPECT_NEAR(power[0] / power[1], 1, GetParam().tolerance);
     EXPECT_NEAR(object_power[0] / object_power[1], 1, GetParam().object_tolerance);
