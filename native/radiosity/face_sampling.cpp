@@ -7,7 +7,7 @@ namespace gg {
 FacePoint sample_face(const Hierarchy& hierarchy, const Node& node, float u, float v, float w) {
     const Vec3 weights = square_to_triangle(v, w);
     if (node.kind == NodeKind::kElement) {
-        return {weights.x * node.corner[0] + weights.y * node.corner[1] + weights.z * node.corner[2], node.normal, false};
+        return {weights.x * node.corner[0] + weights.y * node.corner[1] + weights.z * node.corner[2], node.normal, 1, 0};
     }
     const SceneFaces& faces = hierarchy.faces();
     const Scene& scene = hierarchy.scene();
@@ -28,9 +28,9 @@ FacePoint sample_face(const Hierarchy& hierarchy, const Node& node, float u, flo
     const std::uint32_t triangle = mesh.tree.order[sample_prefix(mesh.area_prefix, begin, end, u)];
     const auto corner = world_triangle(scene, instance, triangle);
     const Vec3 front = normalize_or_zero(world_area_vector(scene, instance, triangle));
-    const Sides sides = scene.sides_of(instance, triangle);
-    return {weights.x * corner[0] + weights.y * corner[1] + weights.z * corner[2],
-            sides == Sides::kBack ? -front : front, sides == Sides::kBoth};
+    const Exposure& exposure = mesh.exposure[triangle];
+    return {weights.x * corner[0] + weights.y * corner[1] + weights.z * corner[2], front,
+            exposure.front / exposure.sum(), exposure.back / exposure.sum()};
 }
 
 }  // namespace gg

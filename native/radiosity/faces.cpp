@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 #include "gridgather.h"
 #include "material/surface_color.h"
+#include "radiosity/exposure.h"
 
 namespace gg {
 
@@ -14,22 +15,27 @@ namespace {
 constexpr std::uint32_t kTrianglesPerLeaf = 8;
 constexpr std::uint32_t kInstancesPerLeaf = 1;
 
-MeshFaces make_mesh_faces(const Mesh& mesh, const Control& control) {
+MeshFaces make_mesh_faces(const Scene& scene, std::uint32_t instance, const RayTracer& tracer, const Control& control) {
+    const Mesh& mesh = scene.meshes[scene.instances[instance].mesh];
     std::vector<Box> boxes(mesh.triangles.size());
     parallel_for(boxes.size(), 4096, control, [&](std::size_t t) {
         for (const std::uint32_t vertex : mesh.triangles[t]) {
             boxes[t].extend(mesh.positions[vertex]);
         }
     });
-    MeshFaces faces{build_cluster_tree(boxes, kTrianglesPerLeaf, control), {}, {}};
+    MeshFaces faces;
+    faces.tree = build_cluster_tree(boxes, kTrianglesPerLeaf, control);
+    faces.exposure = find_exposure(scene, instance, tracer, control);
     faces.rank.resize(boxes.size());
     faces.area_prefix.resize(boxes.size() + 1);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        const TriangleCorners& t = mesh.triangles[faces.tree.order[i]];
+        const std::uint32_t triangle = faces.tree.order[i];
+        const TriangleCorners& t = mesh.triangles[triangle];
         const Vec3 a = mesh.positions[t[0]];
-        const float area = 0.5F * length(cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a));
-        faces.area_prefix[i + 1] = faces.area_prefix[i] + area;
-        faces.rank[faces.tree.order[i]] = static_cast<std::uint32_t>(i);
+        const double area = 0.5 * length(cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a));
+        faces.area += area;
+        faces.area_prefix[i + 1] = faces.area_prefix[i] + area * faces.exposure[triangle].sum();
+        faces.rank[triangle] = static_cast<std::uint32_t>(i);
     }
     return faces;
 }
@@ -50,6 +56,9 @@ FaceColors make_face_colors(const Scene& scene, std::uint32_t instance, const Me
         emission[t] = colors.emits(material) ? colors.mean_emission(material, a, b, c) : Rgb(0.0F);
     });
     glm::dvec3 reflected(0.0);
+    const auto area_of = [&](std::size_t i) {
+        return (faces.area_prefix[i + 1] - faces.area_prefix[i]) / faces.exposure[faces.tree.order[i]].sum();
+    };
     for (std::size_t i = 0; i < count; ++i) {
         reflected += (faces.area_prefix[i + 1] - faces.area_prefix[i]) *
                      glm::dvec3(result.reflectance[faces.tree.order[i]]);
@@ -58,9 +67,8 @@ FaceColors make_face_colors(const Scene& scene, std::uint32_t instance, const Me
     if (std::any_of(emission.begin(), emission.end(), [](Rgb e) { return luminance(e) > 0; })) {
         result.emission_prefix.resize(count + 1);
         for (std::size_t i = 0; i < count; ++i) {
-            const double area = faces.area_prefix[i + 1] - faces.area_prefix[i];
             result.emission_prefix[i + 1] =
-                result.emission_prefix[i] + area * luminance(emission[faces.tree.order[i]]);
+                result.emission_prefix[i] + area_of(i) * luminance(emission[faces.tree.order[i]]);
         }
         result.emission = std::move(emission);
     }
@@ -69,13 +77,14 @@ FaceColors make_face_colors(const Scene& scene, std::uint32_t instance, const Me
 
 }  // namespace
 
-SceneFaces make_scene_faces(const Scene& scene, const SurfaceColors& colors, const Control& control) {
+SceneFaces make_scene_faces(const Scene& scene, const SurfaceColors& colors, const RayTracer& tracer,
+                            const Control& control) {
     SceneFaces faces;
     faces.meshes.resize(scene.meshes.size());
     faces.instance_colors.resize(scene.instances.size());
     faces.instance_area.resize(scene.instances.size());
 
-    std::vector<std::uint32_t> used;  // meshes that light reaches
+    std::vector<std::uint32_t> used;  // the first instance of every mesh that light reaches
     std::vector<std::uint32_t> first_user;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> color_ids;
     std::vector<bool> seen(scene.meshes.size());
@@ -87,7 +96,7 @@ SceneFaces make_scene_faces(const Scene& scene, const SurfaceColors& colors, con
         faces.instance_ids.push_back(i);
         if (!seen[instance.mesh]) {
             seen[instance.mesh] = true;
-            used.push_back(instance.mesh);
+            used.push_back(i);
         }
         const auto [entry, is_new] = color_ids.try_emplace({instance.mesh, instance.materials},
                                                            static_cast<std::uint32_t>(first_user.size()));
@@ -96,8 +105,9 @@ SceneFaces make_scene_faces(const Scene& scene, const SurfaceColors& colors, con
         }
         faces.instance_colors[i] = entry->second;
     }
-    parallel_for(used.size(), 1, control,
-                 [&](std::size_t i) { faces.meshes[used[i]] = make_mesh_faces(scene.meshes[used[i]], control); });
+    parallel_for(used.size(), 1, control, [&](std::size_t i) {
+        faces.meshes[scene.instances[used[i]].mesh] = make_mesh_faces(scene, used[i], tracer, control);
+    });
     faces.colors.resize(first_user.size());
     parallel_for(first_user.size(), 1, control, [&](std::size_t i) {
         const std::uint32_t instance = first_user[i];

@@ -12,6 +12,7 @@
 namespace gg {
 
 class Control;
+class RayTracer;
 class SurfaceColors;
 
 // Colours of a mesh with one list of materials.
@@ -22,9 +23,18 @@ struct FaceColors {
     std::vector<double> emission_prefix;  // of area * luminance of emission in tree order, size triangles + 1; or empty
 };
 
+// Share of a triangle's front and back above which there is some room: faces that lie on each other, or inside of a
+// cushion, get no light and must not take part in a cluster's means. 0..1, never quite 0, 0 only where Sides says so.
+struct Exposure {
+    float front = 1, back = 1;
+    [[nodiscard]] float sum() const { return front + back; }
+};
+
 struct MeshFaces {
     ClusterTree tree;                  // over triangles, object space
-    std::vector<double> area_prefix;   // of object-space areas in tree order, size triangles + 1
+    std::vector<Exposure> exposure;    // per triangle
+    std::vector<double> area_prefix;   // of object-space area * exposure in tree order, size triangles + 1
+    double area = 0;                   // object space, every triangle once
     std::vector<std::uint32_t> rank;   // triangle -> its place in tree order
 };
 
@@ -39,7 +49,8 @@ struct SceneFaces {
     std::vector<std::uint32_t> instance_rank;      // instance -> place in the order of `instances`
 };
 
-[[nodiscard]] SceneFaces make_scene_faces(const Scene& scene, const SurfaceColors& colors, const Control& control);
+[[nodiscard]] SceneFaces make_scene_faces(const Scene& scene, const SurfaceColors& colors, const RayTracer& tracer,
+                                          const Control& control);
 
 // The item of [begin, end) that holds share u in [0, 1) of the range's sum; `prefix` as above.
 [[nodiscard]] std::uint32_t sample_prefix(const std::vector<double>& prefix, std::uint32_t begin, std::uint32_t end,

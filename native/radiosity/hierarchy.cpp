@@ -101,14 +101,14 @@ Node Hierarchy::make_cluster(std::uint32_t instance, std::uint32_t tree_node, No
     node.instance = instance;
     node.source = tree_node;
     set_bounds(node, tree_node == 0 ? placed.bounds : transformed(range.bounds, placed.to_world));
-    const double mesh_area = mesh.area_prefix[range.end] - mesh.area_prefix[range.begin];
-    const double share = mesh_area / std::max(mesh.area_prefix.back(), 1e-300);
-    const Sides sides = scene_.sides_of(instance, mesh.tree.order[range.begin]);
-    node.area = static_cast<float>(share * lit_sides(sides)) * faces_.instance_area[instance];
+    const double scale = faces_.instance_area[instance] / std::max(mesh.area, 1e-300);  // object to world area
+    const double area = scale * (mesh.area_prefix[range.end] - mesh.area_prefix[range.begin]);
+    node.area = static_cast<float>(area);
     node.reflectance = colors.mean_reflectance;
-    if (!colors.emission_prefix.empty() && mesh_area > 0) {
-        const double emitted = colors.emission_prefix[range.end] - colors.emission_prefix[range.begin];
-        node.emission = Rgb(static_cast<float>(kPi * emitted / mesh_area));
+    if (!colors.emission_prefix.empty() && area > 0) {
+        const double emitted = scale * (colors.emission_prefix[range.end] - colors.emission_prefix[range.begin]);
+        const double sides = lit_sides(scene_.sides_of(instance, mesh.tree.order[range.begin]));
+        node.emission = Rgb(static_cast<float>(kPi * emitted * sides / area));
     }
     node.stable_id = hash64(placed.stable_id, tree_node);
     return node;

@@ -24,14 +24,15 @@ LeafCluster make_leaf_cluster(const Hierarchy& hierarchy, const Node& node) {
             return;
         }
         const Vec3 normal = area_vector / area;
-        const Sides sides = scene.sides_of(instance, triangle);
+        const Exposure& exposure = faces.meshes[scene.instances[instance].mesh].exposure[triangle];
         for (const bool back : {false, true}) {
-            if (sides != Sides::kBoth && back != (sides == Sides::kBack)) {
+            const float exposed = back ? exposure.back : exposure.front;
+            if (exposed <= 0) {
                 continue;
             }
             const Vec3 outward = back ? -normal : normal;
-            leaf.area += area;
-            leaf.reflect.add_face(outward, area, colors.reflectance[triangle]);
+            leaf.area += exposed * area;
+            leaf.reflect.add_face(outward, exposed * area, colors.reflectance[triangle]);
             if (!colors.emission.empty() && max_component(colors.emission[triangle]) > 0) {
                 add_face(leaf.emission, colors.emission[triangle] * area, outward);
                 leaf.emitted_power += kPi * area * colors.emission[triangle];

@@ -250,17 +250,18 @@ void add_pair(const Hierarchy& hierarchy, const FacePoint& x, const Node& sender
     } else {
         const FacePoint y = sample_face(hierarchy, sender, u, v, w);
         target = y.position;
-        target_normal = normal_towards(y, x.position);
+        const FacingSide side = side_towards(y, x.position);
+        target_normal = side.normal;
         const Vec3 d = x.position - target;
         const float squared = length_squared(d);
         const float cosine = dot(d, target_normal) / std::sqrt(std::max(squared, 1e-30F));
-        sender_weight = std::max(0.0F, cosine) / (squared + sender.area / (4 * kPi));
+        sender_weight = side.chance * std::max(0.0F, cosine) / (squared + sender.area / (4 * kPi));
     }
     out.sender_shines |= sender_weight > 0;
-    const Vec3 normal = normal_towards(x, target);
+    const auto [normal, chance] = side_towards(x, target);
     const Vec3 to_target = target - x.position;
     const float distance = length(to_target);
-    const float weight = sender_weight * std::max(0.0F, dot(normal, to_target)) / std::max(distance, 1e-30F);
+    const float weight = chance * sender_weight * std::max(0.0F, dot(normal, to_target)) / std::max(distance, 1e-30F);
     if (!(weight > 0)) {
         return;
     }
@@ -330,7 +331,7 @@ ShadowRays make_shadow_rays(const Hierarchy& hierarchy, const Node& receiver, co
             // Quarters share the points on the sender: what differs between them is then more than noise.
             const std::uint32_t j = i / kPoints;
             const Vec3 x = point_in_quarter(receiver, k % kPoints, sequence(i, 0), sequence(i, 1));
-            add_pair(hierarchy, {x, receiver.normal, false}, sender,
+            add_pair(hierarchy, {x, receiver.normal, 1, 0}, sender,
                      {sequence(j, 5), sequence(j, 3), sequence(j, 4)}, k % kPoints, pairs);
         } else {
             add_pair(hierarchy, sample_face(hierarchy, receiver, sequence(i, 2), sequence(i, 0), sequence(i, 1)),
@@ -402,7 +403,7 @@ void estimate_near(const Hierarchy& hierarchy, const RayTracer& tracer, const No
     for (int k = 0; k < count; ++k) {
         const auto i = static_cast<std::uint32_t>(k);
         FacePoint x = sample_face(hierarchy, receiver, sequence(i, 2), sequence(i, 0), sequence(i, 1));
-        if (x.both_sides && sequence(i, 5) < 0.5F) {
+        if (sequence(i, 5) >= x.front) {
             x.normal = -x.normal;
         }
         const Vec2 disk = square_to_disk(sequence(i, 3), sequence(i, 4));

@@ -84,7 +84,7 @@ std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& c
     std::shared_ptr<Solution> solution;
     {
         const StageTimer timer(statistics, "clusters");
-        solution = std::make_shared<Solution>(scene, colors, make_scene_faces(scene, colors, control));
+        solution = std::make_shared<Solution>(scene, colors, make_scene_faces(scene, colors, tracer, control));
         solution->lighting.grow(control);
     }
     solution->links = initial_links(solution->hierarchy);

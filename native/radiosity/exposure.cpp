@@ -1,0 +1,66 @@
+#include "radiosity/exposure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "core/random.h"
+#include "trace/ray_tracer.h"
+#include "trace/surface_point.h"
+
+namespace gg {
+
+namespace {
+
+constexpr std::uint32_t kRays = 4;
+constexpr float kRoom = 0.03F;       // how far a ray must get, as a share of the instance's size
+constexpr float kLeast = 1.0F / 256;  // of a covered face: no cluster is without any area
+
+struct FaceRays {
+    std::array<Ray, kRays> rays;
+};
+
+FaceRays rays_above(const std::array<Vec3, 3>& corner, Vec3 normal, float reach, std::uint64_t seed) {
+    const Sequence4 sequence(seed);
+    FaceRays face;
+    for (std::uint32_t k = 0; k < kRays; ++k) {
+        const Vec3 w = square_to_triangle(sequence(k, 0), sequence(k, 1));
+        const Vec3 x = w.x * corner[0] + w.y * corner[1] + w.z * corner[2];
+        const Vec2 disk = square_to_disk(sequence(k, 2), sequence(k, 3));
+        const float z = std::sqrt(std::max(0.0F, 1 - dot(disk, disk)));
+        face.rays[k] = {offset_origin(x, normal, reach), Frame(normal).to_world({disk.x, disk.y, z}), 0, reach};
+    }
+    return face;
+}
+
+float exposed_share(const std::array<Vec3, 3>& corner, Vec3 normal, float reach, std::uint64_t seed,
+                    const RayTracer& tracer) {
+    const FaceRays face = rays_above(corner, normal, reach, seed);
+    std::array<std::uint8_t, kRays> blocked{};
+    tracer.occluded(face.rays, blocked, RayMask::kLight, Coherence::kIncoherent);
+    const auto covered = static_cast<float>(std::count(blocked.begin(), blocked.end(), 1));
+    return std::max(kLeast, 1 - covered / kRays);
+}
+
+}  // namespace
+
+std::vector<Exposure> find_exposure(const Scene& scene, std::uint32_t instance, const RayTracer& tracer,
+                                    const Control& control) {
+    const Instance& placed = scene.instances[instance];
+    const std::size_t count = scene.meshes[placed.mesh].triangles.size();
+    const float reach = kRoom * placed.bounds.diameter();
+    std::vector<Exposure> exposure(count);
+    parallel_for(count, 512, control, [&](std::size_t t) {
+        const auto triangle = static_cast<std::uint32_t>(t);
+        const auto corner = world_triangle(scene, instance, triangle);
+        const Vec3 front = normalize_or_zero(world_area_vector(scene, instance, triangle));
+        const Sides sides = scene.sides_of(instance, triangle);
+        const std::uint64_t seed = hash64(placed.stable_id, t);
+        exposure[t].front = sides == Sides::kBack ? 0 : exposed_share(corner, front, reach, hash64(seed, 0), tracer);
+        exposure[t].back = sides == Sides::kFront ? 0 : exposed_share(corner, -front, reach, hash64(seed, 1), tracer);
+    });
+    return exposure;
+}
+
+}  // namespace gg
