@@ -7,7 +7,6 @@ import addon_utils
 import bpy
 import pytest
 from gridgather import bl_info, interface, messages, panels
-from gridgather.compat import hides_shader_nodes
 from nodeitems_utils import node_categories_iter
 
 
@@ -82,7 +81,7 @@ def test_shader_nodes_can_be_added():
     editor = SimpleNamespace(type="NODE_EDITOR", tree_type="ShaderNodeTree")
     context = SimpleNamespace(engine="GRIDGATHER", space_data=editor)
     own = [category for category in node_categories_iter(context) if category.identifier == "GRIDGATHER"]
-    assert len(own) == hides_shader_nodes()
+    assert len(own) == (bpy.app.version < (4, 0, 0))
     for category in own:
         assert "ShaderNodeBsdfPrincipled" in {item.nodetype for item in category.items(context)}
         assert not category.poll(SimpleNamespace(engine="CYCLES", space_data=editor))

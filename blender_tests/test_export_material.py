@@ -150,7 +150,7 @@ def test_varying_inputs_fall_back_to_their_own_value_and_are_named():
 
 
 def test_material_without_nodes_has_its_viewport_colour():
-    source = bpy.data.materials.new("Plain")
+    source = material("Plain", (1, 0, 0))
     source.use_nodes = False
     source.diffuse_color = (0.1, 0.2, 0.3, 1)
     if not source.use_nodes:  # from 5.0 on there are always nodes

@@ -42,7 +42,9 @@ def test_statistics_by_view_layer(lit):
         lit.gridgather_statistics = "{}"
 
 
-def test_statistics_of_a_layer_that_is_off_are_not_kept(lit):
+@pytest.mark.parametrize("persistent", [False, True])
+def test_statistics_of_a_layer_that_is_off_are_not_kept(lit, persistent):
+    lit.render.use_persistent_data = persistent  # keeps the engine from one picture to the next
     lit.view_layers.new("Second")
     render_pixels(lit, "GRIDGATHER")
     lit.view_layers["Second"].use = False

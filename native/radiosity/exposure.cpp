@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "core/parallel.h"
 #include "core/random.h"
@@ -13,34 +14,39 @@ namespace gg {
 
 namespace {
 
-constexpr std::uint32_t kRays = 4;
-constexpr float kRoom = 0.03F;       // how far a ray must get, as a share of the instance's size
+constexpr std::uint32_t kFirstRays = 2;  // enough for a face that both get away from
+constexpr std::uint32_t kRays = 6;
+constexpr float kRoom = 0.15F;        // how far a ray must get, as a share of the instance's size
 constexpr float kLeast = 1.0F / 256;  // of a covered face: no cluster is without any area
 
-struct FaceRays {
+// Rays [first, last) of a face that are blocked.
+std::uint32_t blocked_rays(const std::array<Vec3, 3>& corner, Vec3 normal, float reach, const Sequence4& sequence,
+                           std::uint32_t first, std::uint32_t last, const RayTracer& tracer) {
     std::array<Ray, kRays> rays;
-};
-
-FaceRays rays_above(const std::array<Vec3, 3>& corner, Vec3 normal, float reach, std::uint64_t seed) {
-    const Sequence4 sequence(seed);
-    FaceRays face;
-    for (std::uint32_t k = 0; k < kRays; ++k) {
+    std::array<std::uint8_t, kRays> blocked{};
+    const Frame frame(normal);
+    for (std::uint32_t k = first; k < last; ++k) {
         const Vec3 w = square_to_triangle(sequence(k, 0), sequence(k, 1));
         const Vec3 x = w.x * corner[0] + w.y * corner[1] + w.z * corner[2];
         const Vec2 disk = square_to_disk(sequence(k, 2), sequence(k, 3));
         const float z = std::sqrt(std::max(0.0F, 1 - dot(disk, disk)));
-        face.rays[k] = {offset_origin(x, normal, reach), Frame(normal).to_world({disk.x, disk.y, z}), 0, reach};
+        rays[k - first] = {offset_origin(x, normal, reach), frame.to_world({disk.x, disk.y, z}), 0, reach};
     }
-    return face;
+    const std::size_t count = last - first;
+    tracer.occluded(std::span<const Ray>(rays.data(), count), std::span<std::uint8_t>(blocked.data(), count),
+                    RayMask::kLight, Coherence::kIncoherent);
+    return static_cast<std::uint32_t>(std::count(blocked.begin(), blocked.begin() + count, 1));
 }
 
 float exposed_share(const std::array<Vec3, 3>& corner, Vec3 normal, float reach, std::uint64_t seed,
                     const RayTracer& tracer) {
-    const FaceRays face = rays_above(corner, normal, reach, seed);
-    std::array<std::uint8_t, kRays> blocked{};
-    tracer.occluded(face.rays, blocked, RayMask::kLight, Coherence::kIncoherent);
-    const auto covered = static_cast<float>(std::count(blocked.begin(), blocked.end(), 1));
-    return std::max(kLeast, 1 - covered / kRays);
+    const Sequence4 sequence(seed);
+    std::uint32_t blocked = blocked_rays(corner, normal, reach, sequence, 0, kFirstRays, tracer);
+    if (blocked == 0) {
+        return 1;
+    }
+    blocked += blocked_rays(corner, normal, reach, sequence, kFirstRays, kRays, tracer);
+    return std::max(kLeast, 1 - static_cast<float>(blocked) / kRays);
 }
 
 }  // namespace

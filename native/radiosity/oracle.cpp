@@ -30,8 +30,7 @@ float allowed_error(const Node& receiver, float irradiance, const RefineSettings
     const float detail = kDetail * settings.white.extent;
     const float size = std::max(2 * receiver.radius, 1e-12F);
     const float small = std::max(1.0F, detail / size);
-    return settings.tolerance * std::sqrt(white * std::max(irradiance, kDarkest * white)) *
-           small * small;
+    return settings.tolerance * std::sqrt(white * std::max(irradiance, kDarkest * white)) * small * std::sqrt(small);
 }
 
 // Its square root for the same reason: a dark surface is compared with itself.
@@ -154,10 +153,16 @@ Decision decide(const Hierarchy& hierarchy, const Lighting& lighting, const RayT
         return {Verdict::kSplitSender, {}};
     }
     // As many rays as it takes to believe that nothing, or everything, is in between.
-    const int rays = static_cast<int>(std::clamp(std::ceil(2 * most / allowed), 4.0F, 64.0F));
+    // Neighbours of small receivers average what noise remains.
+    const bool small = 2 * receiver.radius < kDetail * settings.white.extent;
+    const float most_rays = small ? 16.0F : 64.0F;
+    const int rays = static_cast<int>(std::clamp(std::ceil(2 * most / allowed), 4.0F, most_rays));
     const Link judged = estimate_link(hierarchy, tracer, receiver_id, sender_id, rays, SampleSet::kJudge, nullptr);
     if (split != Verdict::kAccept && !still_good(hierarchy, lighting, judged, settings)) {
         return {split, {}};
+    }
+    if (!is_cluster(sender) && !is_cluster(receiver) && (judged.visibility == 0 || judged.visibility == 1)) {
+        return {Verdict::kAccept, judged};
     }
     Link link = estimate_link(hierarchy, tracer, receiver_id, sender_id, rays, SampleSet::kLink, &hits);
     link.shape_error = judged.shape_error;

@@ -5,6 +5,6 @@ gg_test(radiosity_tests
                 radiosity/clustering_test.cpp radiosity/convergence_test.cpp radiosity/interpolation_test.cpp radiosity/sidedness_test.cpp radiosity/thread_count_test.cpp
                 radiosity/visibility_test.cpp oracles/brute_visibility.cpp
                 oracles/form_factor_oracle.cpp oracles/full_matrix_radiosity.cpp
-                support/clouds.cpp support/law_scenes.cpp support/solution_measures.cpp support/test_scenes.cpp
+                support/clouds.cpp support/face_points.cpp support/law_scenes.cpp support/solution_measures.cpp support/test_scenes.cpp
         LAYERS core image scene material trace transport radiosity)
 target_include_directories(radiosity_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})

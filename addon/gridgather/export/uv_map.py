@@ -51,8 +51,7 @@ def _mapping(node, groups, reader) -> Matrix:
     if node.vector_type == "TEXTURE":
         inverse = Matrix.Diagonal((*(1.0 / s if s else 0.0 for s in scale), 1.0))
         return inverse @ rotated.transposed() @ Matrix.Translation([-value for value in location])
-    place = Matrix.Translation(location) if node.vector_type == "POINT" else Matrix.Identity(4)
-    return place @ rotated @ Matrix.Diagonal((*scale, 1.0))
+    return Matrix.Translation(location) @ rotated @ Matrix.Diagonal((*scale, 1.0))
 
 
 def _euler(rotation) -> Matrix:

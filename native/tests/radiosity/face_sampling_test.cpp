@@ -41,7 +41,7 @@ TEST(SamplePrefix, survives_a_range_without_weight) {
 }
 
 struct FaceScene {
-    FaceScene() : prepared(scene()), hierarchy(prepared.scene, *prepared.colors, faces()) {}
+    FaceScene() : prepared(scene()), hierarchy(prepared.scene, *prepared.colors, prepared.faces()) {}
 
     static SceneDescription scene() {
         SceneBuilder builder;
@@ -51,23 +51,25 @@ struct FaceScene {
         builder.description.instances[0].to_world.linear = Mat3(3.0F);
         return builder.description;
     }
-    [[nodiscard]] SceneFaces faces() const {
-        return make_scene_faces(prepared.scene, *prepared.colors, prepared.control);
-    }
 
     Prepared prepared;
     Hierarchy hierarchy;
 };
 
-// Which face a point lies on, by the nearest plane.
+// Instances by their area, faces of an instance by their exposed area.
 TEST(SampleFace, every_face_by_its_area) {
     const FaceScene scene;
     const Node& root = scene.hierarchy[kGeometryRoot];
     std::vector<std::pair<std::uint32_t, std::uint32_t>> triangles;
-    double total = 0;
+    std::vector<double> weights;
+    double area[2] = {0, 0}, weight[2] = {0, 0};  // of an instance
     scene.hierarchy.for_each_triangle(root, [&](std::uint32_t instance, std::uint32_t triangle) {
+        const double face = length(world_area_vector(scene.prepared.scene, instance, triangle));
+        const std::uint32_t mesh = scene.prepared.scene.instances[instance].mesh;
         triangles.emplace_back(instance, triangle);
-        total += length(world_area_vector(scene.prepared.scene, instance, triangle));
+        weights.push_back(face * scene.hierarchy.faces().meshes[mesh].exposure[triangle].sum());
+        area[instance] += face;
+        weight[instance] += weights.back();
     });
     ASSERT_EQ(triangles.size(), 50U + 240U);
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> counts;
@@ -94,20 +96,18 @@ TEST(SampleFace, every_face_by_its_area) {
             }
         }
         ASSERT_LT(nearest, 1e-5);
-        EXPECT_EQ(point.both_sides, face.first == 0);
         ++counts[face];
     }
-    for (const auto& [instance, triangle] : triangles) {
-        const double expected =
-            kSamples * length(world_area_vector(scene.prepared.scene, instance, triangle)) / total;
-        EXPECT_NEAR((counts[{instance, triangle}]), expected, 2) << instance << " " << triangle;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const std::uint32_t instance = triangles[i].first;
+        const double of_instance = kSamples * area[instance] / (area[0] + area[1]);
+        EXPECT_NEAR(counts[triangles[i]], of_instance * weights[i] / weight[instance], 2) << i;
     }
 }
 
 TEST(SampleFace, points_of_an_element_are_even) {
     Prepared prepared(furnace(0.5F, false));
-    Hierarchy hierarchy(prepared.scene, *prepared.colors,
-                        make_scene_faces(prepared.scene, *prepared.colors, prepared.control));
+    Hierarchy hierarchy(prepared.scene, *prepared.colors, prepared.faces());
     NodeId id = kGeometryRoot;
     while (hierarchy[id].kind != NodeKind::kElement) {
         hierarchy.open(std::span(&id, 1), prepared.control);

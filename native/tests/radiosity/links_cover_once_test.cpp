@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "core/random.h"
-#include "radiosity/face_sampling.h"
-#include "radiosity/link_estimate.h"
+#include "support/face_points.h"
 #include "support/law_scenes.h"
 #include "support/solution_measures.h"
 #include "transport/emitter_sampling.h"
@@ -50,9 +49,9 @@ class LinkCover {
 bool can_exchange(const Solution& solution, const Node& receiver, const Node& sender) {
     constexpr std::uint32_t kPairs = 32;
     const Sequence6 sequence(hash64(receiver.stable_id, sender.stable_id));
+    const FacePoints receiver_points(solution.hierarchy, receiver);
     for (std::uint32_t i = 0; i < kPairs; ++i) {
-        const FacePoint x =
-            sample_face(solution.hierarchy, receiver, sequence(i, 0), sequence(i, 1), sequence(i, 2));
+        const EvenPoint x = receiver_points.sample(sequence(i, 0), sequence(i, 1), sequence(i, 2));
         Vec3 direction(0.0F);
         if (sender.kind == NodeKind::kSky) {
             direction = cell_direction(sky_cell_of(sender), sequence(i, 3), sequence(i, 4));
@@ -61,12 +60,11 @@ bool can_exchange(const Solution& solution, const Node& receiver, const Node& se
                                                   sequence(i, 3), sequence(i, 4));
             direction = luminance(sample.normal_irradiance) > 0 ? sample.direction : Vec3(0.0F);
         } else {
-            const FacePoint y =
-                sample_face(solution.hierarchy, sender, sequence(i, 5), sequence(i, 3), sequence(i, 4));
+            const EvenPoint y = FacePoints(solution.hierarchy, sender).sample(sequence(i, 5), sequence(i, 3), sequence(i, 4));
             const Vec3 apart = y.position - x.position;
-            direction = dot(normal_towards(y, x.position), apart) < -1e-5F ? apart : Vec3(0.0F);
+            direction = dot(y.normal, apart) < -1e-5F ? apart : Vec3(0.0F);
         }
-        if (dot(normal_towards(x, x.position + direction), direction) > 1e-5F) {
+        if (dot(x.normal, direction) > 1e-5F) {
             return true;
         }
     }

@@ -90,7 +90,7 @@ TEST(PushPull, intensity_of_a_leaf_cluster_carries_its_power) {
 
 // One link to a triangle whose quarters, and one of their quarters, were opened.
 struct OpenTriangle {
-    OpenTriangle() : prepared(scene()), solution(prepared.scene, *prepared.colors, faces(prepared)) {
+    OpenTriangle() : prepared(scene()), solution(prepared.scene, *prepared.colors, prepared.faces()) {
         open(kGeometryRoot);
         const NodeId cluster = solution.hierarchy[kGeometryRoot].first_child;
         open(cluster);
@@ -107,9 +107,6 @@ struct OpenTriangle {
         builder.quad({5, 0, 0}, {7, 0, 0}, {7, 1, 0}, {5, 1, 0}, grey);
         builder.point_light({0, 0, 3}, Rgb(10));
         return builder.description;
-    }
-    static SceneFaces faces(const Prepared& prepared) {
-        return make_scene_faces(prepared.scene, *prepared.colors, prepared.control);
     }
     void open(NodeId id) { solution.hierarchy.open(std::span(&id, 1), prepared.control); }
     [[nodiscard]] Rgb radiosity_of_lamp() const { return solution.hierarchy[lamp()].emission; }

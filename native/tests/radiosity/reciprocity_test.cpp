@@ -64,8 +64,7 @@ Sums exchange_of_pairs(const Prepared& prepared, const Solution& solution, const
             continue;
         }
         const auto exchanged = [&](NodeId receiver, NodeId sender) {
-            return exchange(solution.hierarchy, estimate_link(solution.hierarchy, *prepared.tracer, receiver, sender, 4,
-                                                              SampleSet::kLink, nullptr));
+            return exchange(solution.hierarchy, prepared.estimate(solution.hierarchy, receiver, sender, 4));
         };
         const double forth = exchanged(a, b), back = exchanged(b, a);
         if (forth > 0 && back > 0) {

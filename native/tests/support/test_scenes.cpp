@@ -1,5 +1,7 @@
 #include "support/test_scenes.h"
 
+#include "radiosity/link_estimate.h"
+
 #include <cmath>
 
 namespace gg::test {
@@ -172,6 +174,12 @@ Prepared::Prepared(SceneDescription input)
 
 std::shared_ptr<const Solution> Prepared::solve(float quality) {
     return gg::solve(scene, *colors, *tracer, {quality}, control, statistics);
+}
+
+SceneFaces Prepared::faces() const { return make_scene_faces(scene, *colors, *tracer, control); }
+
+Link Prepared::estimate(const Hierarchy& hierarchy, NodeId receiver, NodeId sender, int rays) const {
+    return estimate_link(hierarchy, *tracer, receiver, sender, rays, SampleSet::kLink, nullptr);
 }
 
 }  // namespace gg::test

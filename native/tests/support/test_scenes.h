@@ -57,6 +57,9 @@ struct Prepared {
     std::unique_ptr<RayTracer> tracer;
 
     std::shared_ptr<const Solution> solve(float quality = 0.02F);
+    [[nodiscard]] SceneFaces faces() const;
+    // Of a hierarchy of this scene.
+    [[nodiscard]] Link estimate(const Hierarchy& hierarchy, NodeId receiver, NodeId sender, int rays) const;
 };
 
 }  // namespace gg::test
