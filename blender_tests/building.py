@@ -48,6 +48,11 @@ def add(tree, kind, **inputs):
     return node
 
 
+def diffuse(tree, color):
+    """A Diffuse BSDF of one colour."""
+    return add(tree, "ShaderNodeBsdfDiffuse", Color=(*color, 1))
+
+
 def surface(tree, node):
     """Links a shader node to the output."""
     output = next(node for node in tree.nodes if node.type.startswith("OUTPUT_"))

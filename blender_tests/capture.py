@@ -1,6 +1,7 @@
 """A render engine that only exports: tests see what F12 would give the library, through a depsgraph for rendering."""
 
 import bpy
+from building import link, quad
 from gridgather.export.scene import export_frame
 
 
@@ -28,3 +29,13 @@ def export():
     if CaptureEngine.error is not None:
         raise CaptureEngine.error
     return CaptureEngine.frame
+
+
+def exported(source):
+    """(description.Material, Frame) of a material that one quad wears."""
+    mesh = quad()
+    mesh.uv_layers.new(name="UVMap")
+    mesh.materials.append(source)
+    link(mesh)
+    frame = export()
+    return frame.scene.materials[0], frame

@@ -8,6 +8,7 @@ from building import lamp
 from capture import export
 from gridgather import description
 from gridgather.export import ExportError
+from gridgather.export.scene import export_frame
 from mathutils import Vector
 
 CAMERAS = {
@@ -66,8 +67,8 @@ def test_what_cameras_do_not_have_yet_is_named(scene):
 
 def test_no_camera_is_an_error(scene):
     scene.camera = None
-    with pytest.raises((ExportError, RuntimeError), match="camera"):
-        export()
+    with pytest.raises(ExportError, match="Scene has no camera"):
+        export_frame(bpy.context.evaluated_depsgraph_get(), 64, 48)
 
 
 def test_panoramic_camera_is_an_error(scene):

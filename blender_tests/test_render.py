@@ -42,13 +42,21 @@ def test_statistics_by_view_layer(lit):
         lit.gridgather_statistics = "{}"
 
 
-@pytest.mark.parametrize("persistent", [False, True])
-def test_statistics_of_a_layer_that_is_off_are_not_kept(lit, persistent):
-    lit.render.use_persistent_data = persistent  # keeps the engine from one picture to the next
-    lit.view_layers.new("Second")
-    render_pixels(lit, "GRIDGATHER")
-    lit.view_layers["Second"].use = False
-    render_pixels(lit, "GRIDGATHER")
+def test_statistics_are_of_the_last_frame_alone(lit, tmp_path):
+    """With persistent data one engine renders all frames of an animation."""
+    second = lit.view_layers.new("Second")
+    lit.render.use_persistent_data = True
+    lit.frame_end = 2
+    lit.render.filepath = str(tmp_path / "frame_")
+
+    def only_on_frame_1(scene, _=None):
+        scene.view_layers[second.name].use = scene.frame_current == 1
+
+    bpy.app.handlers.frame_change_pre.append(only_on_frame_1)
+    try:
+        bpy.ops.render.render(animation=True)
+    finally:
+        bpy.app.handlers.frame_change_pre.remove(only_on_frame_1)
     assert set(json.loads(lit.gridgather_statistics)) == {"ViewLayer"}
 
 

@@ -1,6 +1,7 @@
 #include "core/statistics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace gg {
@@ -16,7 +17,11 @@ std::string json_table(const std::vector<std::pair<std::string, double>>& table,
     std::string text = "{";
     for (const auto& [name, value] : table) {
         char number[64];
-        std::snprintf(number, sizeof(number), format, value);
+        if (std::isfinite(value)) {
+            std::snprintf(number, sizeof(number), format, value);
+        } else {
+            std::snprintf(number, sizeof(number), "null");
+        }
         text += (text.size() > 1 ? ", \"" : "\"") + name + "\": " + number;
     }
     return text + "}";

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "core/random.h"
+#include "radiosity/arrival.h"
 #include "radiosity/face_sampling.h"
+#include "radiosity/near_link.h"
 #include "trace/surface_point.h"
 #include "transport/emitter_sampling.h"
 #include "transport/form_factor.h"
@@ -14,7 +16,6 @@ namespace gg {
 
 namespace {
 
-constexpr int kMaxRays = 64;
 constexpr int kPoints = 4;  // of an element, at which form factors are evaluated
 constexpr int kClusterPoints = 16;
 
@@ -53,8 +54,6 @@ Vec3 point_in_quarter(const Node& node, int k, float u, float v) {
     return k == 3 ? 0.5F * (c[0] + c[1] + c[2] - inner) : 0.5F * (c[k] + inner);
 }
 
-bool in_front(Vec3 point, const Node& element) { return dot(point - element.corner[0], element.normal) > 0; }
-
 bool all_behind(const Node& node, const Node& element) {
     if (node.kind == NodeKind::kElement) {
         return !in_front(node.corner[0], element) && !in_front(node.corner[1], element) &&
@@ -71,92 +70,6 @@ bool behind_lamp(const Node& receiver, const Lamp& lamp) {
         return false;
     }
     return dot(receiver.center - lamp.position, lamp.direction) < -receiver.radius;
-}
-
-// Irradiance per unit of the sender's radiosity at point x, as a vector: for a facing plane, from unit `direction`.
-struct Arrival {
-    float factor = 0;
-    Vec3 direction{0.0F};
-    float solid_angle = 0;  // over pi: the factor if all of it came from `direction`
-};
-
-// The solid angle of a cone that gives a facing plane this form factor, over pi.
-float cone_over_pi(float factor) { return 2 * (1 - std::sqrt(1 - std::min(factor, 1.0F))); }
-
-Arrival from_lamp(const Lamp& lamp, const Node& sender, Vec3 x) {
-    const IrradianceVector vector = lamp_irradiance_vector(lamp, x);
-    const float factor = luminance(vector.irradiance) / luminance(sender.emission);
-    const bool has_area = lamp.shape != LampShape::kPoint && lamp.shape != LampShape::kDistant;
-    return {factor, vector.direction, has_area ? cone_over_pi(factor) : factor};
-}
-
-Arrival from_cluster(const Node& sender, Vec3 x) {
-    const Vec3 to_sender = sender.center - x;
-    // Far-field: exact for a sphere of even brightness. The bound only matters for points that are almost inside.
-    const float factor = 1.0F / (kPi * std::max(length_squared(to_sender), 0.25F * sender.radius * sender.radius));
-    return {factor, normalize_or_zero(to_sender), factor};
-}
-
-Arrival from_element(const Node& sender, Vec3 x) {
-    if (!in_front(x, sender)) {
-        return {};
-    }
-    const Vec3 vector = vector_form_factor(x, std::span<const Vec3>(sender.corner, 3));
-    const float factor = length(vector);
-    if (!(factor > 0)) {
-        return {};
-    }
-    const float solid_angle = triangle_solid_angle(sender.corner[0] - x, sender.corner[1] - x, sender.corner[2] - x);
-    return {factor, vector / factor, solid_angle / kPi};
-}
-
-Arrival from_sky(const Node& sender) {
-    constexpr int kGrid = 4;
-    const SkyCell cell = sky_cell_of(sender);
-    Vec3 sum(0.0F);
-    for (int k = 0; k < kGrid * kGrid; ++k) {
-        sum += cell_direction(cell, (static_cast<float>(k % kGrid) + 0.5F) / kGrid,
-                              (static_cast<float>(k / kGrid) + 0.5F) / kGrid);
-    }
-    const float mean = length(sum) / (kGrid * kGrid);
-    return {sender.area * mean / kPi, normalize_or_zero(sum), sender.area / kPi};
-}
-
-float sky_form_factor(const Node& sender, Vec3 normal) {
-    constexpr int kGrid = 4;
-    const SkyCell cell = sky_cell_of(sender);
-    float sum = 0;
-    for (int k = 0; k < kGrid * kGrid; ++k) {
-        sum += std::max(0.0F, dot(normal, cell_direction(cell, (static_cast<float>(k % kGrid) + 0.5F) / kGrid,
-                                                         (static_cast<float>(k / kGrid) + 0.5F) / kGrid)));
-    }
-    return cap_form_factor(sum / (kGrid * kGrid), sender.area);
-}
-
-Arrival arrival(const Hierarchy& hierarchy, const Node& sender, Vec3 x) {
-    switch (sender.kind) {
-        case NodeKind::kElement:
-            return from_element(sender, x);
-        case NodeKind::kLamp:
-            return from_lamp(hierarchy.scene().lamps[sender.source], sender, x);
-        case NodeKind::kSky:
-            return from_sky(sender);
-        default:
-            return from_cluster(sender, x);
-    }
-}
-
-float form_factor_at(const Hierarchy& hierarchy, const Node& receiver, const Node& sender, Vec3 x) {
-    if (sender.kind == NodeKind::kElement) {
-        return in_front(x, sender)
-                   ? point_to_triangle(x, receiver.normal, sender.corner[0], sender.corner[1], sender.corner[2])
-                   : 0.0F;
-    }
-    if (sender.kind == NodeKind::kSky) {
-        return sky_form_factor(sender, receiver.normal);
-    }
-    const Arrival light = arrival(hierarchy, sender, x);
-    return light.factor * std::max(0.0F, dot(receiver.normal, light.direction));
 }
 
 // Mean form factors of an element's quarters, at their centroids: the same points for every sender, so that the form
@@ -298,28 +211,12 @@ void find_occluders(const RayTracer& tracer, const ShadowRays& pairs, const std:
     link.nearest_occluder = std::isinf(nearest) ? 0 : nearest;
 }
 
-// That no ray, or every ray, was blocked is no proof: the standard deviation of a share of which n samples said the same
-// is 1 / (n + 2) for a uniform prior; most pairs of a scene are simple, so half of it.
-constexpr float kUnproven = 0.5F;
-
-// Standard deviation of a share from `count` samples, uniform prior.
-float share_uncertainty(float share, std::size_t count) {
-    const auto n = static_cast<float>(count);
-    const float hits = share * n;
-    return std::sqrt((hits + 1) * (n - hits + 1) / ((n + 2) * (n + 2) * (n + 3)));
-}
-
 // What the shadow rays of a link saw, for the whole receiver and for the quarters of an element.
 struct Seen {
     float visibility = 0;
     std::array<float, kPoints> quarters{};
     float sampling_error = 0;
 };
-
-// Dimensions 0..2 for the point on the receiver, 3..5 for that on the sender or the direction.
-Sequence6 pair_sequence(const Node& receiver, const Node& sender, SampleSet samples) {
-    return Sequence6(hash64(hash64(receiver.stable_id, sender.stable_id), static_cast<std::uint64_t>(samples)));
-}
 
 ShadowRays make_shadow_rays(const Hierarchy& hierarchy, const Node& receiver, const Node& sender, int count,
                             SampleSet samples) {
@@ -371,73 +268,6 @@ Seen trace_shadow_rays(const RayTracer& tracer, const ShadowRays& pairs, int cou
         result.sampling_error = facing * kUnproven / (n + 2);
     }
     return result;
-}
-
-// Least squares of the irradiance of faces as a linear function of their normals, with a prior of no difference: a face
-// that gets more by dE adds dE * (result . (n_k - mean)) / count to what faces with normal n have more, times n.
-struct NormalFit {
-    Mat3 inverse{1.0F};
-    Vec3 mean{0.0F};
-};
-
-NormalFit fit_normals(std::span<const Vec3> normals) {
-    constexpr float kPrior = 0.3F;  // the variance of a coordinate of evenly spread normals is 1/3
-    const auto count = static_cast<float>(normals.size());
-    NormalFit fit;
-    Mat3 squares(0.0F);
-    for (const Vec3 n : normals) {
-        fit.mean += n / count;
-        squares += glm::outerProduct(n, n) / count;
-    }
-    fit.inverse = glm::inverse(squares - glm::outerProduct(fit.mean, fit.mean) + Mat3(kPrior));
-    return fit;
-}
-
-// Sender and receiver touch or are one: the share of the hemispheres above the receiver's faces that the sender fills.
-void estimate_near(const Hierarchy& hierarchy, const RayTracer& tracer, const Node& receiver, const Node& sender,
-                   int count, SampleSet samples, Link& link, NearHits* out) {
-    const Sequence6 sequence = pair_sequence(receiver, sender, samples);
-    std::array<Ray, kMaxRays> rays;
-    std::array<Hit, kMaxRays> hits;
-    std::array<Vec3, kMaxRays> normals;
-    for (int k = 0; k < count; ++k) {
-        const auto i = static_cast<std::uint32_t>(k);
-        FacePoint x = sample_face(hierarchy, receiver, sequence(i, 2), sequence(i, 0), sequence(i, 1));
-        if (sequence(i, 5) >= x.front) {
-            x.normal = -x.normal;
-        }
-        const Vec2 disk = square_to_disk(sequence(i, 3), sequence(i, 4));
-        const float z = std::sqrt(std::max(0.0F, 1 - dot(disk, disk)));
-        normals[k] = x.normal;
-        rays[k] = {offset_origin(x.position, x.normal, receiver.radius),
-                   Frame(x.normal).to_world({disk.x, disk.y, z}), 0, kInfinity};
-    }
-    const auto n = static_cast<std::size_t>(count);
-    tracer.closest_hits(std::span<const Ray>(rays.data(), n), std::span<Hit>(hits.data(), n), RayMask::kLight,
-                        Coherence::kIncoherent);
-    const NormalFit fit = fit_normals(std::span<const Vec3>(normals.data(), n));
-    link.first_hit = out ? static_cast<std::uint32_t>(out->size()) : 0;
-    int found = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const Hit& hit = hits[i];
-        if (hit.missed() || !hierarchy.contains(sender, hit.instance, hit.triangle)) {
-            continue;
-        }
-        ++found;
-        if (out) {
-            const bool back = dot(world_area_vector(hierarchy.scene(), hit.instance, hit.triangle), rays[i].direction) > 0;
-            const Vec3 lean = fit.inverse * (normals[i] - fit.mean) / static_cast<float>(count);
-            out->push_back({hit.instance, hit.triangle, kNone, back, lean});
-        }
-    }
-    link.near = true;
-    link.ray_count = static_cast<std::uint8_t>(count);
-    link.hit_count = static_cast<std::uint8_t>(found);
-    link.form_factor = static_cast<float>(found) / static_cast<float>(count);
-    link.visibility = found > 0 ? 1.0F : 0.0F;
-    constexpr float kVariation = 0.25F;  // between the receiver's faces, which all get the same
-    link.level_error = found > 0 ? share_uncertainty(link.form_factor, n) + kVariation * link.form_factor
-                                 : kUnproven / static_cast<float>(count + 2);
 }
 
 // Share by which the light of a spread-out cluster differs from that of its middle: second order in size over distance.
