@@ -16,10 +16,14 @@ namespace gg {
     return x ^ (x >> 31);
 }
 
-[[nodiscard]] constexpr std::uint64_t hash64(std::uint64_t a, std::uint64_t b) { return hash64(hash64(a) ^ b); }
+[[nodiscard]] constexpr std::uint64_t hash64(std::uint64_t a, std::uint64_t b) {
+    return hash64(hash64(a) ^ b);
+}
 
 // [0, 1) from the upper 24 bits.
-[[nodiscard]] constexpr float unit_float(std::uint64_t bits) { return static_cast<float>(bits >> 40) * 0x1p-24F; }
+[[nodiscard]] constexpr float unit_float(std::uint64_t bits) {
+    return static_cast<float>(bits >> 40) * 0x1p-24F;
+}
 
 // Additive recurrences with the generalised golden ratio of N dimensions, phi^(N+1) = phi + 1: every prefix is evenly
 // spread and all one-dimensional projections are distinct [Roberts 2018, "The unreasonable effectiveness of quasirandom
@@ -46,7 +50,8 @@ class AdditiveSequence {
             return std::array<std::uint32_t, 4>{3679390609U, 3152041523U, 2700274806U, 2313257605U};
         } else {
             static_assert(N == 6);
-            return std::array<std::uint32_t, 6>{3859688306U, 3468523226U, 3117001274U, 2801104767U, 2517223199U, 2262111973U};
+            return std::array<std::uint32_t, 6>{3859688306U, 3468523226U, 3117001274U,
+                                                2801104767U, 2517223199U, 2262111973U};
         }
     }();
     std::array<std::uint32_t, N> state_{};

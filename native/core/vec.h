@@ -28,7 +28,9 @@ using glm::length;
 inline constexpr float kPi = 3.14159265358979323846F;
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-[[nodiscard]] inline float length_squared(Vec3 v) { return dot(v, v); }
+[[nodiscard]] inline float length_squared(Vec3 v) {
+    return dot(v, v);
+}
 
 // Zero stays zero: callers need no special case for degenerate input.
 [[nodiscard]] inline Vec3 normalize_or_zero(Vec3 v) {
@@ -37,10 +39,16 @@ inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 }
 
 // Relative luminance of a scene-linear Rec.709 colour [ITU-R BT.709].
-[[nodiscard]] inline float luminance(Rgb c) { return 0.2126F * c.r + 0.7152F * c.g + 0.0722F * c.b; }
+[[nodiscard]] inline float luminance(Rgb c) {
+    return 0.2126F * c.r + 0.7152F * c.g + 0.0722F * c.b;
+}
 
-[[nodiscard]] inline float max_component(Vec3 v) { return std::max(v.x, std::max(v.y, v.z)); }
-[[nodiscard]] inline bool is_finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+[[nodiscard]] inline float max_component(Vec3 v) {
+    return std::max(v.x, std::max(v.y, v.z));
+}
+[[nodiscard]] inline bool is_finite(Vec3 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 struct Box {
     Vec3 lower{kInfinity};

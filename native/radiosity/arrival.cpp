@@ -12,7 +12,9 @@ namespace gg {
 namespace {
 
 // The solid angle of a cone that gives a facing plane this form factor, over pi.
-float cone_over_pi(float factor) { return 2 * (1 - std::sqrt(1 - std::min(factor, 1.0F))); }
+float cone_over_pi(float factor) {
+    return 2 * (1 - std::sqrt(1 - std::min(factor, 1.0F)));
+}
 
 Arrival from_lamp(const Lamp& lamp, const Node& sender, Vec3 x) {
     const IrradianceVector vector = lamp_irradiance_vector(lamp, x);
@@ -54,7 +56,7 @@ Arrival from_sky(const Node& sender) {
 }
 
 float sky_form_factor(const Node& sender, Vec3 normal) {
-    constexpr int kGrid = 4;
+    constexpr int kGrid = 12;  // a quadrant of the sky on a level floor: 0.3 % off
     const SkyCell cell = sky_cell_of(sender);
     float sum = 0;
     for (int k = 0; k < kGrid * kGrid; ++k) {

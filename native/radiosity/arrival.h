@@ -17,6 +17,8 @@ struct Arrival {
 // Form factor at point x of an element; unit 1/m2 for clusters, see Link.
 [[nodiscard]] float form_factor_at(const Hierarchy& hierarchy, const Node& receiver, const Node& sender, Vec3 x);
 
-[[nodiscard]] inline bool in_front(Vec3 point, const Node& element) { return dot(point - element.corner[0], element.normal) > 0; }
+[[nodiscard]] inline bool in_front(Vec3 point, const Node& element) {
+    return dot(point - element.corner[0], element.normal) > 0;
+}
 
 }  // namespace gg

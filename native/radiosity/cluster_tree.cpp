@@ -51,9 +51,8 @@ class Builder {
         const Range all{tree_.nodes[node].begin, tree_.nodes[node].end};
         const float large = kLargeItem * tree_.nodes[node].bounds.diameter();
         const auto order = tree_.order.begin();
-        const auto small_begin = std::stable_partition(order + all.begin, order + all.end, [&](std::uint32_t item) {
-            return items_[item].diameter() > large;
-        });
+        const auto small_begin = std::stable_partition(
+            order + all.begin, order + all.end, [&](std::uint32_t item) { return items_[item].diameter() > large; });
         const Range large_items{all.begin, static_cast<std::uint32_t>(small_begin - order)};
         const Range rest{large_items.end, all.end};
         const bool like_size = rest.size() == 0 || large_items.size() == 0;
@@ -101,7 +100,8 @@ class Builder {
         if (extent[axis] > 0) {
             const float scale = kBins / extent[axis];
             const auto bin_of = [&](std::uint32_t item) {
-                return std::min(kBins - 1, static_cast<int>((items_[item].center()[axis] - centers.lower[axis]) * scale));
+                return std::min(kBins - 1,
+                                static_cast<int>((items_[item].center()[axis] - centers.lower[axis]) * scale));
             };
             const int bin = best_split(range, bin_of);
             if (bin > 0) {

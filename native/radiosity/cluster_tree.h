@@ -23,9 +23,9 @@ struct ClusterTree {
     std::vector<std::uint32_t> order;
 };
 
-// Items larger than half a node hang off the node itself, or are split apart when they are many, so that a cluster never
-// mixes them with far smaller ones [Sillion 1995]; the rest is split by the binned surface area heuristic into up to four
-// children. Nodes with at most `leaf_size` items of like size are not split. At least one item.
+// Items larger than half a node hang off the node itself, or are split apart when they are many, so that a cluster
+// never mixes them with far smaller ones [Sillion 1995]; the rest is split by the binned surface area heuristic into up
+// to four children. Nodes with at most `leaf_size` items of like size are not split. At least one item.
 [[nodiscard]] ClusterTree build_cluster_tree(std::span<const Box> items, std::uint32_t leaf_size,
                                              const Control& control);
 

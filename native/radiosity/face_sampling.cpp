@@ -7,7 +7,8 @@ namespace gg {
 FacePoint sample_face(const Hierarchy& hierarchy, const Node& node, float u, float v, float w) {
     const Vec3 weights = square_to_triangle(v, w);
     if (node.kind == NodeKind::kElement) {
-        return {weights.x * node.corner[0] + weights.y * node.corner[1] + weights.z * node.corner[2], node.normal, 1, 0};
+        return {weights.x * node.corner[0] + weights.y * node.corner[1] + weights.z * node.corner[2], node.normal, 1,
+                0};
     }
     const SceneFaces& faces = hierarchy.faces();
     const Scene& scene = hierarchy.scene();

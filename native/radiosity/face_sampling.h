@@ -7,7 +7,7 @@ namespace gg {
 
 struct FacePoint {
     Vec3 position{0.0F};
-    Vec3 normal{0.0F};  // unit, front
+    Vec3 normal{0.0F};          // unit, front
     float front = 1, back = 0;  // chance that a point by area and exposure is on this side; the sum is 1
 };
 

@@ -60,8 +60,8 @@ FaceColors make_face_colors(const Scene& scene, std::uint32_t instance, const Me
         return (faces.area_prefix[i + 1] - faces.area_prefix[i]) / faces.exposure[faces.tree.order[i]].sum();
     };
     for (std::size_t i = 0; i < count; ++i) {
-        reflected += (faces.area_prefix[i + 1] - faces.area_prefix[i]) *
-                     glm::dvec3(result.reflectance[faces.tree.order[i]]);
+        reflected +=
+            (faces.area_prefix[i + 1] - faces.area_prefix[i]) * glm::dvec3(result.reflectance[faces.tree.order[i]]);
     }
     result.mean_reflectance = Rgb(reflected / std::max(faces.area_prefix.back(), 1e-300));
     if (std::any_of(emission.begin(), emission.end(), [](Rgb e) { return luminance(e) > 0; })) {
@@ -98,8 +98,8 @@ SceneFaces make_scene_faces(const Scene& scene, const SurfaceColors& colors, con
             seen[instance.mesh] = true;
             used.push_back(i);
         }
-        const auto [entry, is_new] = color_ids.try_emplace({instance.mesh, instance.materials},
-                                                           static_cast<std::uint32_t>(first_user.size()));
+        const auto [entry, is_new] =
+            color_ids.try_emplace({instance.mesh, instance.materials}, static_cast<std::uint32_t>(first_user.size()));
         if (is_new) {
             first_user.push_back(i);
         }

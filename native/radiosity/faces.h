@@ -17,9 +17,9 @@ class SurfaceColors;
 
 // Colours of a mesh with one list of materials.
 struct FaceColors {
-    std::vector<Rgb> reflectance;        // mean per triangle
-    Rgb mean_reflectance{0.0F};          // by area
-    std::vector<Rgb> emission;           // mean radiance per triangle; empty when nothing emits
+    std::vector<Rgb> reflectance;         // mean per triangle
+    Rgb mean_reflectance{0.0F};           // by area
+    std::vector<Rgb> emission;            // mean radiance per triangle; empty when nothing emits
     std::vector<double> emission_prefix;  // of area * luminance of emission in tree order, size triangles + 1; or empty
 };
 
@@ -31,22 +31,22 @@ struct Exposure {
 };
 
 struct MeshFaces {
-    ClusterTree tree;                  // over triangles, object space
-    std::vector<Exposure> exposure;    // per triangle
-    std::vector<double> area_prefix;   // of object-space area * exposure in tree order, size triangles + 1
-    double area = 0;                   // object space, every triangle once
-    std::vector<std::uint32_t> rank;   // triangle -> its place in tree order
+    ClusterTree tree;                 // over triangles, object space
+    std::vector<Exposure> exposure;   // per triangle
+    std::vector<double> area_prefix;  // of object-space area * exposure in tree order, size triangles + 1
+    double area = 0;                  // object space, every triangle once
+    std::vector<std::uint32_t> rank;  // triangle -> its place in tree order
 };
 
 struct SceneFaces {
-    std::vector<MeshFaces> meshes;                 // per mesh; empty for meshes that no instance uses
-    std::vector<FaceColors> colors;                // per (mesh, material list) in use
-    std::vector<std::uint32_t> instance_colors;    // per instance, into colors
-    std::vector<float> instance_area;              // per instance: world area, m2, every triangle once
-    ClusterTree instances;                         // over the instances that light reaches; no nodes when none
-    std::vector<double> instance_prefix;           // of world areas in the order of `instances`, size items + 1
-    std::vector<std::uint32_t> instance_ids;       // item of `instances` -> instance
-    std::vector<std::uint32_t> instance_rank;      // instance -> place in the order of `instances`
+    std::vector<MeshFaces> meshes;               // per mesh; empty for meshes that no instance uses
+    std::vector<FaceColors> colors;              // per (mesh, material list) in use
+    std::vector<std::uint32_t> instance_colors;  // per instance, into colors
+    std::vector<float> instance_area;            // per instance: world area, m2, every triangle once
+    ClusterTree instances;                       // over the instances that light reaches; no nodes when none
+    std::vector<double> instance_prefix;         // of world areas in the order of `instances`, size items + 1
+    std::vector<std::uint32_t> instance_ids;     // item of `instances` -> instance
+    std::vector<std::uint32_t> instance_rank;    // instance -> place in the order of `instances`
 };
 
 [[nodiscard]] SceneFaces make_scene_faces(const Scene& scene, const SurfaceColors& colors, const RayTracer& tracer,

@@ -23,11 +23,13 @@ void set_bounds(Node& node, const Box& box) {
 void set_triangle(Node& node) {
     const Vec3* c = node.corner;
     node.center = (c[0] + c[1] + c[2]) / 3.0F;
-    node.radius = std::sqrt(std::max({length_squared(c[0] - node.center), length_squared(c[1] - node.center),
-                                      length_squared(c[2] - node.center)}));
+    node.radius = std::sqrt(std::max(
+        {length_squared(c[0] - node.center), length_squared(c[1] - node.center), length_squared(c[2] - node.center)}));
 }
 
-int lit_sides(Sides sides) { return sides == Sides::kBoth ? 2 : 1; }
+int lit_sides(Sides sides) {
+    return sides == Sides::kBoth ? 2 : 1;
+}
 
 }  // namespace
 
@@ -186,9 +188,9 @@ Node Hierarchy::make_lamp(std::uint32_t lamp) const {
     node.kind = NodeKind::kLamp;
     node.source = lamp;
     node.center = source.shape == LampShape::kDistant ? -source.direction : source.position;
-    node.radius = source.shape == LampShape::kSphere ? source.radius
-                                                     : std::sqrt(length_squared(source.half_x) +
-                                                                 length_squared(source.half_y));
+    node.radius = source.shape == LampShape::kSphere
+                      ? source.radius
+                      : std::sqrt(length_squared(source.half_x) + length_squared(source.half_y));
     node.emission = source.shape == LampShape::kDistant ? source.irradiance
                     : source.shape == LampShape::kPoint ? source.radiance
                                                         : kPi * source.radiance;
@@ -214,9 +216,8 @@ Node Hierarchy::make_sky(SkyCell cell, NodeId parent, std::uint64_t stable_id) c
 void Hierarchy::list_item_children(NodeId id, std::vector<Node>& children) const {
     const Node& node = nodes_[id];
     const ClusterTree::Node& range = tree_node(node);
-    const ClusterTree& tree = node.kind == NodeKind::kInstances
-                                  ? faces_.instances
-                                  : faces_.meshes[scene_.instances[node.instance].mesh].tree;
+    const ClusterTree& tree =
+        node.kind == NodeKind::kInstances ? faces_.instances : faces_.meshes[scene_.instances[node.instance].mesh].tree;
     const auto add_triangle = [&](std::uint32_t triangle) {
         const Sides sides = scene_.sides_of(node.instance, triangle);
         for (const bool back : {false, true}) {

@@ -29,8 +29,8 @@ enum class NodeKind : std::uint8_t { kInstances, kCluster, kElement, kLamp, kSky
 
 struct Node {
     NodeKind kind = NodeKind::kCluster;
-    bool back = false;            // kElement: of which side
-    std::uint8_t depth = 0;       // kElement: quadtree levels below the triangle
+    bool back = false;              // kElement: of which side
+    std::uint8_t depth = 0;         // kElement: quadtree levels below the triangle
     std::uint32_t child_count = 0;  // of an opened node; 0: a leaf, as yet
     NodeId parent = kNone;
     NodeId first_child = 0;
@@ -45,11 +45,15 @@ struct Node {
     Vec3 corner[3] = {};             // kElement: world; others: [0], [1] the box
     Vec2 weights[3] = {};            // kElement: of corners 1 and 2 of the triangle, at this element's corners
     Rgb reflectance{0.0F};           // mean over the faces
-    Rgb emission{0.0F};              // radiosity that it emits by itself, mean over the faces, W/m2 (lamps: see make_lamp)
+    Rgb emission{0.0F};  // radiosity that it emits by itself, mean over the faces, W/m2 (lamps: see make_lamp)
 };
 
-[[nodiscard]] inline bool is_surface(const Node& node) { return node.kind <= NodeKind::kElement; }
-[[nodiscard]] inline bool is_cluster(const Node& node) { return node.kind <= NodeKind::kCluster; }
+[[nodiscard]] inline bool is_surface(const Node& node) {
+    return node.kind <= NodeKind::kElement;
+}
+[[nodiscard]] inline bool is_cluster(const Node& node) {
+    return node.kind <= NodeKind::kCluster;
+}
 
 [[nodiscard]] SkyCell sky_cell_of(const Node& node);
 
@@ -72,8 +76,9 @@ class Hierarchy {
 
     // Instances or triangles of a cluster, in the tree's order.
     [[nodiscard]] const ClusterTree::Node& tree_node(const Node& node) const {
-        return node.kind == NodeKind::kInstances ? faces_.instances.nodes[node.source]
-                                                 : faces_.meshes[scene_.instances[node.instance].mesh].tree.nodes[node.source];
+        return node.kind == NodeKind::kInstances
+                   ? faces_.instances.nodes[node.source]
+                   : faces_.meshes[scene_.instances[node.instance].mesh].tree.nodes[node.source];
     }
     [[nodiscard]] bool contains(const Node& cluster, std::uint32_t instance, std::uint32_t triangle) const;
 

@@ -36,7 +36,8 @@ Corners quarter_corners(const Corners& corners, const Corners& opposite, int qua
 }
 
 Corners opposite_midpoints(const InstanceVertices& vertices, const Corners& c) {
-    return {find_midpoint(vertices, c[1], c[2]), find_midpoint(vertices, c[2], c[0]), find_midpoint(vertices, c[0], c[1])};
+    return {find_midpoint(vertices, c[1], c[2]), find_midpoint(vertices, c[2], c[0]),
+            find_midpoint(vertices, c[0], c[1])};
 }
 
 // A triangle of the picture: vertices, and their places in the whole (weights of corners 1 and 2).
@@ -45,7 +46,9 @@ struct Piece {
     std::array<Vec2, 3> places;
 };
 
-Piece whole_piece(const Corners& corners) { return {corners, {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}}; }
+Piece whole_piece(const Corners& corners) {
+    return {corners, {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}};
+}
 
 // Splits a leaf at the midpoints that its neighbours put on its edges. Returns the number of parts, 1 when none did.
 // The pattern depends on the piece alone, so both users of it (averaging, look-up) see the same triangles.
@@ -262,7 +265,8 @@ Vec2 place_in_quarter(Vec2 place, int quarter) {
 }
 
 Rgb blend(const std::vector<Rgb>& values, const Corners& vertices, Vec2 place) {
-    return (1 - place.x - place.y) * values[vertices[0]] + place.x * values[vertices[1]] + place.y * values[vertices[2]];
+    return (1 - place.x - place.y) * values[vertices[0]] + place.x * values[vertices[1]] +
+           place.y * values[vertices[2]];
 }
 
 // Weights of the corners of a piece at a place, as (w1, w2).

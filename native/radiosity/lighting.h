@@ -17,9 +17,9 @@ class Control;
 // What a leaf cluster does with light, summed over its faces so that no iteration visits them.
 struct LeafCluster {
     ReflectionOperator reflect;
-    DirectionalForm emission;   // W/sr
-    Rgb emitted_power{0.0F};    // W
-    double area = 0;            // m2, every lit side
+    DirectionalForm emission;  // W/sr
+    Rgb emitted_power{0.0F};   // W
+    double area = 0;           // m2, every lit side
 };
 
 class Lighting {
@@ -29,7 +29,8 @@ class Lighting {
     // Takes in nodes that were opened since: until light is gathered, a child has its parent's irradiance.
     void grow(const Control& control);
 
-    // Sorts the links by receiver, keeping their order otherwise, and finds what near links hit. They stay the caller's.
+    // Sorts the links by receiver, keeping their order otherwise, and finds what near links hit. They stay the
+    // caller's.
     void set_links(Links& links, const Control& control);
 
     // One Jacobi iteration: gathers over the links, pushes, pulls. Returns the largest relative step: the change of the
@@ -65,7 +66,7 @@ class Lighting {
     std::vector<Rgb> radiosity_, irradiance_;
     std::vector<float> spread_;
     std::vector<double> area_;
-    std::vector<std::uint32_t> slot_;  // cluster -> received_, intensity_; element -> corners_
+    std::vector<std::uint32_t> slot_;          // cluster -> received_, intensity_; element -> corners_
     std::vector<std::array<Rgb, 3>> corners_;  // irradiance at an element's corners
     std::vector<DirectionalForm> received_, intensity_;
     std::vector<DirectionalForm> shining_;  // received_ of the iteration before

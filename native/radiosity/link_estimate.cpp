@@ -31,12 +31,13 @@ std::array<Vec3, 3> quarter_of(const std::array<Vec3, 3>& c, int k) {
     return quarter;
 }
 
-Vec3 centroid(const std::array<Vec3, 3>& c) { return (c[0] + c[1] + c[2]) / 3.0F; }
+Vec3 centroid(const std::array<Vec3, 3>& c) {
+    return (c[0] + c[1] + c[2]) / 3.0F;
+}
 
 // Stratified in the order of the tree, which is that of places. Too few would bias the solution: links whose sampled
 // form factor is too small are the ones that pass for good.
-std::array<Vec3, kClusterPoints> cluster_points(const Hierarchy& hierarchy, const Node& node,
-                                               SampleSet samples) {
+std::array<Vec3, kClusterPoints> cluster_points(const Hierarchy& hierarchy, const Node& node, SampleSet samples) {
     const Sequence4 sequence(hash64(node.stable_id, static_cast<std::uint64_t>(samples)));
     std::array<Vec3, kClusterPoints> points;
     for (std::uint32_t k = 0; k < kClusterPoints; ++k) {
@@ -44,6 +45,27 @@ std::array<Vec3, kClusterPoints> cluster_points(const Hierarchy& hierarchy, cons
         points[k] = sample_face(hierarchy, node, u, sequence(k, 1), sequence(k, 2)).position;
     }
     return points;
+}
+
+enum class SpotEdge { kInside, kCrosses, kOutside };
+
+// Where a receiver lies to the edge of a spot's cone.
+SpotEdge spot_edge(const Node& receiver, const Lamp& lamp) {
+    if (!lamp.is_spot) {
+        return SpotEdge::kInside;
+    }
+    const Vec3 to_receiver = receiver.center - lamp.position;
+    const float distance = length(to_receiver);
+    const float size = receiver.radius + lamp.radius;
+    if (distance <= size) {
+        return SpotEdge::kCrosses;
+    }
+    const float angle = std::acos(std::clamp(dot(to_receiver, lamp.direction) / distance, -1.0F, 1.0F));
+    const float edge = std::acos(std::clamp(lamp.spot_cos, -1.0F, 1.0F));
+    const float half_width = std::asin(size / distance);
+    return angle - half_width > edge   ? SpotEdge::kOutside
+           : angle + half_width < edge ? SpotEdge::kInside
+                                       : SpotEdge::kCrosses;
 }
 
 // A point of quarter k (numbered as in hierarchy.cpp) of an element.
@@ -73,13 +95,17 @@ bool behind_lamp(const Node& receiver, const Lamp& lamp) {
 }
 
 // Mean form factors of an element's quarters, at their centroids: the same points for every sender, so that the form
-// factors of senders that together cover a hemisphere sum to exactly one. Next to the sender form factors are steep, and
-// one point misses much of what falls near a common edge: there every quarter has four.
+// factors of senders that together cover a hemisphere sum to exactly one. Next to the sender form factors are steep,
+// and one point misses much of what falls near a common edge: there every quarter has four.
 std::array<float, kPoints> quarter_form_factors(const Hierarchy& hierarchy, const Node& receiver, const Node& sender) {
+    std::array<float, kPoints> factors{};
+    if (sender.kind == NodeKind::kSky) {  // the same everywhere
+        factors.fill(form_factor_at(hierarchy, receiver, sender, receiver.center));
+        return factors;
+    }
     const std::array<Vec3, 3> whole{receiver.corner[0], receiver.corner[1], receiver.corner[2]};
     const bool steep = sender.kind == NodeKind::kElement &&
                        length(receiver.center - sender.center) < 1.5F * (receiver.radius + sender.radius);
-    std::array<float, kPoints> factors{};
     for (int k = 0; k < kPoints; ++k) {
         const std::array<Vec3, 3> quarter = quarter_of(whole, k);
         if (!steep) {
@@ -110,8 +136,9 @@ float set_linear_shape(const std::array<float, kPoints>& f, Link& link) {
 
 // Between the middles, m; infinite for the sky and distant lamps.
 float distance_to(const Hierarchy& hierarchy, const Node& receiver, const Node& sender) {
-    const bool infinite = sender.kind == NodeKind::kSky || (sender.kind == NodeKind::kLamp &&
-                          hierarchy.scene().lamps[sender.source].shape == LampShape::kDistant);
+    const bool infinite =
+        sender.kind == NodeKind::kSky ||
+        (sender.kind == NodeKind::kLamp && hierarchy.scene().lamps[sender.source].shape == LampShape::kDistant);
     return infinite ? kInfinity : length(receiver.center - sender.center);
 }
 
@@ -203,7 +230,8 @@ void find_occluders(const RayTracer& tracer, const ShadowRays& pairs, const std:
         nearest = std::min(nearest, first.distance * pairs.lengths[i]);
         float last = first.distance;
         if (!std::isinf(ray.far)) {
-            const Hit reverse = tracer.closest_hit({ray.origin + ray.direction, -ray.direction, 0, ray.far}, RayMask::kLight);
+            const Hit reverse =
+                tracer.closest_hit({ray.origin + ray.direction, -ray.direction, 0, ray.far}, RayMask::kLight);
             last = reverse.missed() ? last : 1 - reverse.distance;
         }
         link.farthest_occluder = std::max(link.farthest_occluder, last * pairs.lengths[i]);
@@ -228,8 +256,8 @@ ShadowRays make_shadow_rays(const Hierarchy& hierarchy, const Node& receiver, co
             // Quarters share the points on the sender: what differs between them is then more than noise.
             const std::uint32_t j = i / kPoints;
             const Vec3 x = point_in_quarter(receiver, k % kPoints, sequence(i, 0), sequence(i, 1));
-            add_pair(hierarchy, {x, receiver.normal, 1, 0}, sender,
-                     {sequence(j, 5), sequence(j, 3), sequence(j, 4)}, k % kPoints, pairs);
+            add_pair(hierarchy, {x, receiver.normal, 1, 0}, sender, {sequence(j, 5), sequence(j, 3), sequence(j, 4)},
+                     k % kPoints, pairs);
         } else {
             add_pair(hierarchy, sample_face(hierarchy, receiver, sequence(i, 2), sequence(i, 0), sequence(i, 1)),
                      sender, {sequence(i, 5), sequence(i, 3), sequence(i, 4)}, 0, pairs);
@@ -286,7 +314,11 @@ bool never_exchange(const Hierarchy& hierarchy, const Node& receiver, const Node
     if (sender.kind == NodeKind::kElement && all_behind(receiver, sender)) {
         return true;
     }
-    return sender.kind == NodeKind::kLamp && behind_lamp(receiver, hierarchy.scene().lamps[sender.source]);
+    if (sender.kind != NodeKind::kLamp) {
+        return false;
+    }
+    const Lamp& lamp = hierarchy.scene().lamps[sender.source];
+    return behind_lamp(receiver, lamp) || spot_edge(receiver, lamp) == SpotEdge::kOutside;
 }
 
 bool separated(const Node& receiver, const Node& sender) {
@@ -357,6 +389,10 @@ Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId r
         constexpr float kFormError = 0.033F;  // rms of the quadratic form that a cluster receives, directional_form.h
         link.level_error = link.form_factor * (seen.sampling_error + edge + kFormError * seen.visibility) +
                            (1 - kMadeUpFor) * variation * seen.visibility;
+    }
+    if (from.kind == NodeKind::kLamp && spot_edge(to, hierarchy.scene().lamps[from.source]) == SpotEdge::kCrosses) {
+        constexpr float kUnseenEdge = 0.25F;  // few points may all lie on one side of the edge
+        link.level_error += kUnseenEdge * form_factor_bound(hierarchy, to, from);
     }
     if (is_cluster(from)) {
         link.level_error += far_field_error(to, from) * link.form_factor * link.visibility;

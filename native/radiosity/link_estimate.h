@@ -23,8 +23,8 @@ namespace gg {
 // that let a little light through, those pass for good whose rays happened to see nothing.
 enum class SampleSet : std::uint8_t { kJudge, kLink };
 
-// Samples the transport with about `rays` shadow rays, 4..64. receiver and sender may be one cluster. The hits of a near
-// link are appended to `hits`, when given.
+// Samples the transport with about `rays` shadow rays, 4..64. receiver and sender may be one cluster. The hits of a
+// near link are appended to `hits`, when given.
 [[nodiscard]] Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId receiver, NodeId sender,
                                  int rays, SampleSet samples, NearHits* hits);
 

@@ -60,8 +60,8 @@ void estimate_near(const Hierarchy& hierarchy, const RayTracer& tracer, const No
         const Vec2 disk = square_to_disk(sequence(i, 3), sequence(i, 4));
         const float z = std::sqrt(std::max(0.0F, 1 - dot(disk, disk)));
         normals[k] = x.normal;
-        rays[k] = {offset_origin(x.position, x.normal, receiver.radius),
-                   Frame(x.normal).to_world({disk.x, disk.y, z}), 0, kInfinity};
+        rays[k] = {offset_origin(x.position, x.normal, receiver.radius), Frame(x.normal).to_world({disk.x, disk.y, z}),
+                   0, kInfinity};
     }
     const auto n = static_cast<std::size_t>(count);
     tracer.closest_hits(std::span<const Ray>(rays.data(), n), std::span<Hit>(hits.data(), n), RayMask::kLight,
@@ -76,7 +76,8 @@ void estimate_near(const Hierarchy& hierarchy, const RayTracer& tracer, const No
         }
         ++found;
         if (out) {
-            const bool back = dot(world_area_vector(hierarchy.scene(), hit.instance, hit.triangle), rays[i].direction) > 0;
+            const bool back =
+                dot(world_area_vector(hierarchy.scene(), hit.instance, hit.triangle), rays[i].direction) > 0;
             const Vec3 lean = fit.inverse * (normals[i] - fit.mean) / static_cast<float>(count);
             out->push_back({hit.instance, hit.triangle, kNone, back, lean});
         }

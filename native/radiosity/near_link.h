@@ -8,8 +8,8 @@ namespace gg {
 
 inline constexpr int kMaxRays = 64;  // of one link
 
-// That no ray, or every ray, was blocked is no proof: the standard deviation of a share of which n samples said the same
-// is 1 / (n + 2) for a uniform prior; most pairs of a scene are simple, so half of it.
+// That no ray, or every ray, was blocked is no proof: the standard deviation of a share of which n samples said the
+// same is 1 / (n + 2) for a uniform prior; most pairs of a scene are simple, so half of it.
 inline constexpr float kUnproven = 0.5F;
 
 // Dimensions 0..2 for the point on the receiver, 3..5 for that on the sender or the direction.

@@ -10,31 +10,33 @@ namespace gg {
 namespace {
 
 // Sizes as shares of the extent of the light (ReferenceWhite::extent).
-constexpr float kDetail = 0.4F;         // smaller receivers may be wrong by more, the smaller their area
-constexpr float kLargeCluster = 0.1F;   // larger clusters are looked into
+constexpr float kDetail = 0.4F;        // smaller receivers may be wrong by more, the smaller their area
+constexpr float kLargeCluster = 0.1F;  // larger clusters are looked into
 constexpr float kSmallestElement = 0.03F;
 constexpr float kSmallestCluster = 0.04F;
-constexpr float kSmallestSky = 0.02F;  // sr
-constexpr float kLargestSky = 0.5F;    // sr
+constexpr float kSmallestSky = 0.02F;   // sr
+constexpr float kLargestSky = 0.5F;     // sr
 constexpr float kInsignificant = 0.1F;  // share of the tolerance below which four rays will do
 constexpr float kDarkest = 0.01F;       // irradiance below this share of the white tolerates no less
 constexpr float kLeastReflectance = 0.05F;
 constexpr float kLeastContrast = 0.1F;  // of a sender to its surroundings that is always counted
 constexpr float kShown = 0.5F;          // share of a cluster's area, both sides, that may face a receiver
-constexpr float kHotSpots = 3;  // how much brighter than its mean a cluster may be that has emitting faces
+constexpr float kHotSpots = 3;          // how much brighter than its mean a cluster may be that has emitting faces
 
-// Error that may be made in the radiosity of a receiver [W/m2]: an equal step in the square root of irradiance, which is
-// about an equal step in display code, so that dim rooms are solved as well as bright ones.
+// Error that may be made in the radiosity of a receiver [W/m2]: an equal step in the square root of irradiance, which
+// is about an equal step in display code, so that dim rooms are solved as well as bright ones.
 float allowed_error(const Node& receiver, float irradiance, const RefineSettings& settings) {  // W/m2
     const float white = settings.white.irradiance;
     const float detail = kDetail * settings.white.extent;
     const float size = std::max(2 * receiver.radius, 1e-12F);
     const float small = std::max(1.0F, detail / size);
-    return settings.tolerance * std::sqrt(white * std::max(irradiance, kDarkest * white)) * small * std::sqrt(small);
+    return settings.tolerance * std::sqrt(white * std::max(irradiance, kDarkest * white)) * small * small;
 }
 
 // Its square root for the same reason: a dark surface is compared with itself.
-float seen_reflectance(const Node& node) { return std::sqrt(std::max(luminance(node.reflectance), kLeastReflectance)); }
+float seen_reflectance(const Node& node) {
+    return std::sqrt(std::max(luminance(node.reflectance), kLeastReflectance));
+}
 
 bool can_split(const Node& node, const RefineSettings& settings) {
     switch (node.kind) {
@@ -82,8 +84,7 @@ float uneven_share(const Node& receiver, const Node& sender, const Link& link) {
     }
     constexpr float kNearer = 0.3F;
     const float size = std::min(1.0F, sender.radius / std::max(length(receiver.center - sender.center), 1e-12F));
-    return link.form_factor *
-           (std::sqrt(link.visibility * (1 - link.visibility)) + kNearer * size * link.visibility);
+    return link.form_factor * (std::sqrt(link.visibility * (1 - link.visibility)) + kNearer * size * link.visibility);
 }
 
 Verdict side_to_split(const Node& receiver, const Node& sender, const RefineSettings& settings) {
@@ -98,13 +99,15 @@ Verdict side_to_split(const Node& receiver, const Node& sender, const RefineSett
     if (!receiver_splits) {
         return Verdict::kSplitSender;
     }
-    const bool sender_larger = sender.kind == NodeKind::kSky ? sender.area > kLargestSky : sender.radius > receiver.radius;
+    const bool sender_larger =
+        sender.kind == NodeKind::kSky ? sender.area > kLargestSky : sender.radius > receiver.radius;
     return sender_larger ? Verdict::kSplitSender : Verdict::kSplitReceiver;
 }
 
 }  // namespace
 
-bool still_good(const Hierarchy& hierarchy, const Lighting& lighting, const Link& link, const RefineSettings& settings) {
+bool still_good(const Hierarchy& hierarchy, const Lighting& lighting, const Link& link,
+                const RefineSettings& settings) {
     const Node& receiver = hierarchy[link.receiver];
     const Node& sender = hierarchy[link.sender];
     const float reflectance = seen_reflectance(receiver);
@@ -115,9 +118,11 @@ bool still_good(const Hierarchy& hierarchy, const Lighting& lighting, const Link
     // Form factors of all that a point sees sum to one: what one link has too much of, the others have too little, and
     // they have the brightness of the surroundings. So the course of a form factor matters as far as the sender stands
     // out. (To refine it on its own would leave the others' share of the error behind.)
-    const float surroundings = link.near || !is_cluster(sender) ? 2 * irradiance : 2 * irradiance * surface_shown(sender, false);
+    const float surroundings =
+        link.near || !is_cluster(sender) ? 2 * irradiance : 2 * irradiance * surface_shown(sender, false);
     const float standing_out = std::max(sent - surroundings, kLeastContrast * sent);
-    const float uneven = lighting.spread(link.sender) * surface_shown(sender, link.near) * uneven_share(receiver, sender, link);
+    const float uneven =
+        lighting.spread(link.sender) * surface_shown(sender, link.near) * uneven_share(receiver, sender, link);
     return reflectance * (standing_out * link.shape_error + sent * link.level_error + uneven) <=
            allowed_error(receiver, irradiance, settings);
 }

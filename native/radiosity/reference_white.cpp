@@ -7,8 +7,8 @@ namespace gg {
 
 namespace {
 
-// Emitted power spread over all faces: too dark where most faces lie in the dark, but the first, coarse refinement needs
-// no more.
+// Emitted power spread over all faces: too dark where most faces lie in the dark, but the first, coarse refinement
+// needs no more.
 ReferenceWhite first_guess(const Hierarchy& hierarchy) {
     const Node& root = hierarchy[kGeometryRoot];
     const float area = std::max(root.area, 1e-12F);

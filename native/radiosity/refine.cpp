@@ -42,8 +42,8 @@ Round judge(const Hierarchy& hierarchy, const Lighting& lighting, const RayTrace
     parallel_blocks(pairs.size(), kBlock, control, [&](std::size_t begin, std::size_t end) {
         Round& part = parts[begin / kBlock];
         for (std::size_t i = begin; i < end; ++i) {
-            const Decision decision = decide(hierarchy, lighting, tracer, pairs[i].receiver, pairs[i].sender, settings,
-                                             part.accepted.hits);
+            const Decision decision =
+                decide(hierarchy, lighting, tracer, pairs[i].receiver, pairs[i].sender, settings, part.accepted.hits);
             if (decision.verdict == Verdict::kAccept) {
                 part.accepted.all.push_back(decision.link);
             } else if (decision.verdict != Verdict::kDrop) {

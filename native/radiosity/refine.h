@@ -23,8 +23,8 @@ struct RefineSettings {
 [[nodiscard]] Links initial_links(const Hierarchy& hierarchy);
 
 // Replaces links whose error exceeds the tolerance by links between children, opening nodes as needed, until none does
-// or nodes are at their smallest. Every receiving point stays linked to every sending point exactly once; pairs that can
-// never exchange light are left out.
+// or nodes are at their smallest. Every receiving point stays linked to every sending point exactly once; pairs that
+// can never exchange light are left out.
 void refine(Hierarchy& hierarchy, Lighting& lighting, const RayTracer& tracer, Links& links,
             const RefineSettings& settings, const Control& control, Statistics& statistics);
 

@@ -19,7 +19,8 @@ struct InstanceVertices {
     // (vertex, vertex) in ascending order -> the vertex between them.
     std::unordered_map<std::uint64_t, std::uint32_t> midpoints;
     std::vector<Rgb> front, back;  // W/m2 per vertex; back is empty when light reaches no back
-    // First element of a triangle's front and back, or kNone where the triangle stayed in a cluster; empty when all did.
+    // First element of a triangle's front and back, or kNone where the triangle stayed in a cluster; empty when all
+    // did.
     std::vector<NodeId> front_element, back_element;
 };
 

@@ -13,8 +13,8 @@ namespace {
 // Multigridding: coarse links carry the light around once before finer ones are judged by it.
 constexpr float kCoarseness[] = {16, 4, 1};
 constexpr int kSweepsBetween = 4;
-constexpr int kSweepsAtEnd = 200;          // enough for a mean reflectance of 0.97
-constexpr double kConverged = 2e-4;        // change of the reflected power in one sweep, share of it
+constexpr int kSweepsAtEnd = 200;    // enough for a mean reflectance of 0.97
+constexpr double kConverged = 2e-4;  // change of the reflected power in one sweep, share of it
 
 struct Power {
     double emitted = 0, absorbed = 0;  // W, luminance
@@ -74,7 +74,7 @@ void report(const Solution& solution, Statistics& statistics) {
     statistics.set_count("extent of light", solution.white.extent);
     statistics.set_bytes("hierarchy", static_cast<double>(solution.hierarchy.bytes() + solution.lighting.bytes()));
     statistics.set_bytes("links", static_cast<double>(solution.links.all.capacity() * sizeof(Link) +
-                                             solution.links.hits.capacity() * sizeof(NearHit)));
+                                                      solution.links.hits.capacity() * sizeof(NearHit)));
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ enum class CameraType { kPerspective, kOrthographic };
 
 struct CameraDescription {
     CameraType type = CameraType::kPerspective;
-    Affine to_world;             // orthonormal
+    Affine to_world;                 // orthonormal
     float window[4] = {0, 0, 0, 0};  // x_left, x_right, y_bottom, y_top; see gg_camera
     float clip_start = 0, clip_end = kInfinity;
 };

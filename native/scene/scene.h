@@ -48,13 +48,13 @@ struct Lamp {
     std::string name;
     LampShape shape = LampShape::kPoint;
     std::uint64_t stable_id = 0;
-    Vec3 position{0.0F};                  // centre
-    Vec3 half_x{0.0F}, half_y{0.0F};      // kRectangle, kEllipse: centre to edge, orthogonal or sheared as placed
-    Vec3 direction{0.0F, 0.0F, -1.0F};    // unit, where it shines to: kRectangle, kEllipse, kDistant, spots
-    float radius = 0;                     // kSphere, m
-    Rgb radiance{0.0F};                   // W/(m2 sr), towards its brightest direction; kPoint: intensity, W/sr
-    Rgb irradiance{0.0F};                 // kDistant: W/m2 on a surface that faces it
-    float cos_half_angle = 1;             // kDistant: of the disk in the sky
+    Vec3 position{0.0F};                // centre
+    Vec3 half_x{0.0F}, half_y{0.0F};    // kRectangle, kEllipse: centre to edge, orthogonal or sheared as placed
+    Vec3 direction{0.0F, 0.0F, -1.0F};  // unit, where it shines to: kRectangle, kEllipse, kDistant, spots
+    float radius = 0;                   // kSphere, m
+    Rgb radiance{0.0F};                 // W/(m2 sr), towards its brightest direction; kPoint: intensity, W/sr
+    Rgb irradiance{0.0F};               // kDistant: W/m2 on a surface that faces it
+    float cos_half_angle = 1;           // kDistant: of the disk in the sky
     bool is_spot = false;
     float spot_cos = -1, spot_smooth = 0;  // see spot_factor() in light_units.h
 };

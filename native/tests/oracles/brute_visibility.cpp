@@ -27,7 +27,8 @@ Target make_target(const Hierarchy& hierarchy, const Node& sender, const test::F
     if (sender.kind == NodeKind::kLamp) {
         const LampSample sample = sample_lamp(hierarchy.scene().lamps[sender.source], x, u, v);
         const bool infinite = std::isinf(sample.distance);
-        return {infinite ? sample.direction : sample.point - x, Vec3(0.0F), luminance(sample.normal_irradiance), infinite};
+        return {infinite ? sample.direction : sample.point - x, Vec3(0.0F), luminance(sample.normal_irradiance),
+                infinite};
     }
     const test::EvenPoint y = points->sample(w, u, v);
     const Vec3 direction = y.position - x;
@@ -48,9 +49,7 @@ double counted_visibility(const Hierarchy& hierarchy, const RayTracer& tracer, N
     }
     double all = 0, seen = 0;
     for (std::uint32_t i = 0; i < pairs; ++i) {
-        const auto number = [&](std::uint64_t dimension) {
-            return unit_float(hash64(hash64(seed, i), dimension));
-        };
+        const auto number = [&](std::uint64_t dimension) { return unit_float(hash64(hash64(seed, i), dimension)); };
         const test::EvenPoint x = at_receiver.sample(number(0), number(1), number(2));
         const Target target = make_target(hierarchy, from, at_sender ? &*at_sender : nullptr, x.position, number(3),
                                           number(4), number(5));

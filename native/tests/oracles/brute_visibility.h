@@ -8,8 +8,8 @@
 
 namespace gg::oracle {
 
-// Share of the light from sender to receiver (a surface node) that nothing blocks, 0..1: pairs of points even over both,
-// weighted by their cosines and distances. Negative when no pair faced each other.
+// Share of the light from sender to receiver (a surface node) that nothing blocks, 0..1: pairs of points even over
+// both, weighted by their cosines and distances. Negative when no pair faced each other.
 [[nodiscard]] double counted_visibility(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId receiver,
                                         NodeId sender, std::uint32_t pairs, std::uint64_t seed);
 

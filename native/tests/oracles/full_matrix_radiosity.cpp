@@ -25,9 +25,13 @@ std::array<Vec3d, 4> corners_of(const Patch& patch) {
     return {patch.corner, patch.corner + patch.u, patch.corner + patch.u + patch.v, patch.corner + patch.v};
 }
 
-Vec3d normal_of(const Patch& patch) { return glm::normalize(glm::cross(patch.u, patch.v)); }
+Vec3d normal_of(const Patch& patch) {
+    return glm::normalize(glm::cross(patch.u, patch.v));
+}
 
-bool in_front(Vec3d x, const Patch& patch) { return glm::dot(x - patch.corner, normal_of(patch)) > 1e-12; }
+bool in_front(Vec3d x, const Patch& patch) {
+    return glm::dot(x - patch.corner, normal_of(patch)) > 1e-12;
+}
 
 bool all_behind(const Patch& patch, const Patch& of) {
     for (const Vec3d& corner : corners_of(patch)) {
@@ -42,7 +46,8 @@ double seen_from(Vec3d x, Vec3d normal, std::span<const Patch> cells, std::span<
     double sum = 0;
     for (const Patch& cell : cells) {
         const auto corners = corners_of(cell);
-        if (in_front(x, cell) && (occluders.empty() || !is_blocked(x, cell.corner + 0.5 * (cell.u + cell.v), occluders))) {
+        if (in_front(x, cell) &&
+            (occluders.empty() || !is_blocked(x, cell.corner + 0.5 * (cell.u + cell.v), occluders))) {
             sum += point_to_polygon(x, normal, std::span<const Vec3d>(corners));
         }
     }

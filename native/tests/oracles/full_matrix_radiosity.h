@@ -12,7 +12,7 @@ namespace gg::oracle {
 
 // One-sided parallelogram corner, corner + u, corner + v; its front is where u x v points.
 struct Patch {
-    Vec3d corner{0.0}, u{0.0}, v{0.0};  // m
+    Vec3d corner{0.0}, u{0.0}, v{0.0};     // m
     double reflectance = 0, emission = 0;  // 0..1, W/m2
 
     [[nodiscard]] double area() const { return glm::length(glm::cross(u, v)); }

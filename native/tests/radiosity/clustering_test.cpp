@@ -35,9 +35,9 @@ TEST_P(Clustering, reflects_as_much_as_a_fine_solution) {
     SceneBuilder builder;
     const std::uint32_t wall = builder.material(Rgb(0.6F));
     const std::uint32_t object = builder.material(Rgb(0.5F));
-    builder.box(Vec3(0.0F), kRoomSize, {wall, wall, wall, wall, wall, wall}, true);
+    const std::uint32_t ceiling = builder.material(Rgb(0.6F), Rgb(1.0F));
+    builder.box(Vec3(0.0F), kRoomSize, {wall, wall, wall, wall, wall, ceiling}, true);
     GetParam().add_object(builder, object);
-    builder.area_light({2, 1.5F, 2.4F}, {0, 0, -1}, 0.8F, Rgb(100));
     double power[2], object_power[2];
     for (const bool fine : {false, true}) {
         Prepared prepared(builder.description);
@@ -45,14 +45,17 @@ TEST_P(Clustering, reflects_as_much_as_a_fine_solution) {
         const FaceMeans means = means_of_instance(*solution, 6);
         power[fine] = reflected_power(*solution);
         object_power[fine] = means.area * luminance_of(means.irradiance);
-        printf("%s fine %d power %.4f object %.4f leaves %zu links %zu %s\n", GetParam().name, fine, power[fine], object_power[fine],
-               surface_leaves(*solution).size(), solution->links.all.size(), prepared.statistics.json().substr(0,90).c_str());
+        printf("%s fine %d power %.4f object %.4f leaves %zu links %zu %s\n", GetParam().name, fine, power[fine],
+               object_power[fine], surface_leaves(*solution).size(), solution->links.all.size(),
+               prepared.statistics.json().substr(0, 90).c_str());
     }
     EXPECT_NEAR(power[0] / power[1], 1, GetParam().tolerance);
     EXPECT_NEAR(object_power[0] / object_power[1], 1, GetParam().object_tolerance);
 }
 
-std::string name_of(const testing::TestParamInfo<ClusterScene>& info) { return info.param.name; }
+std::string name_of(const testing::TestParamInfo<ClusterScene>& info) {
+    return info.param.name;
+}
 
 INSTANTIATE_TEST_SUITE_P(Objects, Clustering,
                          testing::Values(ClusterScene{"sphere", add_sphere, 0.03, 0.05},

@@ -19,7 +19,8 @@ std::vector<double> wall_irradiance(const Solution& solution) {
     for (std::uint32_t instance = 0; instance < 6; ++instance) {
         for (std::uint32_t triangle = 0; triangle < 2; ++triangle) {
             for (int i = 0; i < kGrid * kGrid; ++i) {
-                const Vec2 w((static_cast<float>(i % kGrid) + 0.5F) / kGrid, (static_cast<float>(i / kGrid) + 0.5F) / kGrid);
+                const Vec2 w((static_cast<float>(i % kGrid) + 0.5F) / kGrid,
+                             (static_cast<float>(i / kGrid) + 0.5F) / kGrid);
                 if (w.x + w.y < 1) {
                     values.push_back(luminance(interpolated_irradiance(solution, instance, triangle, false, w)));
                 }

@@ -76,7 +76,8 @@ TEST(SampleFace, every_face_by_its_area) {
     constexpr std::uint32_t kSamples = 20000;
     for (std::uint32_t i = 0; i < kSamples; ++i) {
         const float u = (static_cast<float>(i) + 0.5F) / kSamples;
-        const FacePoint point = sample_face(scene.hierarchy, root, u, unit_float(hash64(i, 0)), unit_float(hash64(i, 1)));
+        const FacePoint point =
+            sample_face(scene.hierarchy, root, u, unit_float(hash64(i, 0)), unit_float(hash64(i, 1)));
         double nearest = 1e30;
         std::pair<std::uint32_t, std::uint32_t> face;
         for (const auto& [instance, triangle] : triangles) {

@@ -60,7 +60,8 @@ bool can_exchange(const Solution& solution, const Node& receiver, const Node& se
                                                   sequence(i, 3), sequence(i, 4));
             direction = luminance(sample.normal_irradiance) > 0 ? sample.direction : Vec3(0.0F);
         } else {
-            const EvenPoint y = FacePoints(solution.hierarchy, sender).sample(sequence(i, 5), sequence(i, 3), sequence(i, 4));
+            const EvenPoint y =
+                FacePoints(solution.hierarchy, sender).sample(sequence(i, 5), sequence(i, 3), sequence(i, 4));
             const Vec3 apart = y.position - x.position;
             direction = dot(y.normal, apart) < -1e-5F ? apart : Vec3(0.0F);
         }

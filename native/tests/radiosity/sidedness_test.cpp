@@ -62,7 +62,6 @@ TEST(Sidedness, closed_box_that_is_lit_from_outside_is_dark_inside) {
     EXPECT_GT(outside, 5);
     for (std::uint32_t wall = 0; wall < 6; ++wall) {
         EXPECT_LT(side_of(*solution, wall, false).most, 1e-4 * outside) << "wall " << wall;
-        printf("wall %g\n", side_of(*solution, wall, false).most/outside);
     }
     EXPECT_LT(means_of_instance(*solution, 6).most, 1e-4 * outside);
 }

@@ -20,7 +20,8 @@ Placed place(const Box& box, std::uint64_t seed, std::uint32_t index) {
     const Frame frame(square_to_sphere(number(0), number(1)));
     const float angle = 2 * kPi * number(2);
     const Vec3 x = std::cos(angle) * frame.tangent + std::sin(angle) * frame.bitangent;
-    return {box.lower + box.extent() * Vec3(number(3), number(4), number(5)), {x, cross(frame.normal, x), frame.normal}};
+    return {box.lower + box.extent() * Vec3(number(3), number(4), number(5)),
+            {x, cross(frame.normal, x), frame.normal}};
 }
 
 // Corner bits x, y, z; outward counter-clockwise.
@@ -37,8 +38,7 @@ MeshDescription triangle_cloud(const Box& box, std::uint32_t count, float edge, 
         const Placed p = place(box, seed, i);
         for (std::uint32_t corner = 0; corner < 3; ++corner) {
             const float angle = 2 * kPi * static_cast<float>(corner) / 3;
-            mesh.positions.push_back(p.center +
-                                     radius * (std::cos(angle) * p.axes[0] + std::sin(angle) * p.axes[1]));
+            mesh.positions.push_back(p.center + radius * (std::cos(angle) * p.axes[0] + std::sin(angle) * p.axes[1]));
             mesh.triangle_vertices.push_back(3 * i + corner);
         }
     }

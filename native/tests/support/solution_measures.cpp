@@ -4,7 +4,9 @@
 
 namespace gg::test {
 
-double luminance_of(Vec3d color) { return 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b; }
+double luminance_of(Vec3d color) {
+    return 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b;
+}
 
 std::vector<NodeId> surface_leaves(const Solution& solution) {
     std::vector<NodeId> leaves;

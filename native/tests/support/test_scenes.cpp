@@ -176,7 +176,9 @@ std::shared_ptr<const Solution> Prepared::solve(float quality) {
     return gg::solve(scene, *colors, *tracer, {quality}, control, statistics);
 }
 
-SceneFaces Prepared::faces() const { return make_scene_faces(scene, *colors, *tracer, control); }
+SceneFaces Prepared::faces() const {
+    return make_scene_faces(scene, *colors, *tracer, control);
+}
 
 Link Prepared::estimate(const Hierarchy& hierarchy, NodeId receiver, NodeId sender, int rays) const {
     return estimate_link(hierarchy, *tracer, receiver, sender, rays, SampleSet::kLink, nullptr);
