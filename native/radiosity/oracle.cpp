@@ -64,11 +64,16 @@ float surface_shown(const Node& sender, bool near) {
     return is_cluster(sender) && !near ? kShown * sender.area : 1.0F;
 }
 
-// A large cluster that has large faces of its own, such as a wall of two triangles: no directional form describes it as
-// well as its faces do, and they are few.
+// A large cluster of large faces, or that has some of its own, such as a wall of two triangles: no directional form
+// describes it as well as its faces do, and they are few.
 bool has_large_faces(const Hierarchy& hierarchy, const Node& node, const RefineSettings& settings) {
-    return node.kind == NodeKind::kCluster && 2 * node.radius > kLargeCluster * settings.white.extent &&
-           hierarchy.tree_node(node).direct_end > hierarchy.tree_node(node).begin;
+    const float large = kLargeCluster * settings.white.extent;
+    if (node.kind != NodeKind::kCluster || 2 * node.radius <= large) {
+        return false;
+    }
+    const ClusterTree::Node& range = hierarchy.tree_node(node);
+    const auto count = static_cast<float>(range.end - range.begin);
+    return range.direct_end > range.begin || node.area > count * large * large;
 }
 
 // Whole objects, large and small, lit and in the dark: samples by area would see the largest only.

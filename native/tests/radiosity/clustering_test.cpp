@@ -1,10 +1,14 @@
-// Objects of many small faces exchange light as clusters: their power must be what it is face by face.
+// Objects of many small faces exchange light as clusters: they and the room around
+// them must receive what random walks find.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
+#include <string>
 
+#include "oracles/path_irradiance.h"
 #include "support/clouds.h"
+#include "support/face_points.h"
 #include "support/law_scenes.h"
 #include "support/solution_measures.h"
 
@@ -14,8 +18,8 @@ namespace {
 struct ClusterScene {
     const char* name;
     std::function<void(SceneBuilder&, std::uint32_t)> add_object;
-    double tolerance;  // share of the reflected power of room and object together, and of the object's alone
-    double object_tolerance;
+    float quality;
+    double room_tolerance, object_tolerance;  // of the power that arrives, share of it
 };
 
 void add_sphere(SceneBuilder& builder, std::uint32_t material) {
@@ -30,37 +34,44 @@ void add_cubes(SceneBuilder& builder, std::uint32_t material) {
 
 class Clustering : public testing::TestWithParam<ClusterScene> {};
 
-// The finer solution still has clusters, but two hundred times as many links.
-TEST_P(Clustering, reflects_as_much_as_a_fine_solution) {
+TEST_P(Clustering, receives_as_much_as_random_walks_say) {
     SceneBuilder builder;
     const std::uint32_t wall = builder.material(Rgb(0.6F));
     const std::uint32_t object = builder.material(Rgb(0.5F));
     const std::uint32_t ceiling = builder.material(Rgb(0.6F), Rgb(1.0F));
     builder.box(Vec3(0.0F), kRoomSize, {wall, wall, wall, wall, wall, ceiling}, true);
     GetParam().add_object(builder, object);
-    double power[2], object_power[2];
-    for (const bool fine : {false, true}) {
-        Prepared prepared(builder.description);
-        const auto solution = prepared.solve(fine ? 0.004F : 0.02F);
-        const FaceMeans means = means_of_instance(*solution, 6);
-        power[fine] = reflected_power(*solution);
-        object_power[fine] = means.area * luminance_of(means.irradiance);
-        printf("%s fine %d power %.4f object %.4f leaves %zu links %zu %s\n", GetParam().name, fine, power[fine],
-               object_power[fine], surface_leaves(*solution).size(), solution->links.all.size(),
-               prepared.statistics.json().substr(0, 90).c_str());
+    Prepared prepared(builder.description);
+    const oracle::WalkedScene walked{prepared.scene, *prepared.colors, *prepared.tracer};
+    const auto solution = prepared.solve(GetParam().quality);
+    const Hierarchy& hierarchy = solution->hierarchy;
+    double room = 0, true_room = 0, things = 0, true_things = 0;
+    for (const Node& node : hierarchy.nodes()) {
+        if (node.kind != NodeKind::kCluster || hierarchy[node.parent].kind != NodeKind::kInstances) {
+            continue;
+        }
+        const auto id = static_cast<NodeId>(&node - hierarchy.nodes().data());
+        const double area = FacePoints(hierarchy, node).area();
+        const double power = area * luminance(solution->lighting.irradiance(id));
+        const double truth = area * luminance_of(oracle::mean_irradiance(walked, hierarchy, node, 40000));
+        (node.instance == 6 ? things : room) += power;
+        (node.instance == 6 ? true_things : true_room) += truth;
     }
-    EXPECT_NEAR(power[0] / power[1], 1, GetParam().tolerance);
-    EXPECT_NEAR(object_power[0] / object_power[1], 1, GetParam().object_tolerance);
+    EXPECT_NEAR(room / true_room, 1, GetParam().room_tolerance);
+    EXPECT_NEAR(things / true_things, 1, GetParam().object_tolerance);
 }
 
 std::string name_of(const testing::TestParamInfo<ClusterScene>& info) {
-    return info.param.name;
+    return std::string(info.param.name) + (info.param.quality < 0.01F ? "_fine" : "_coarse");
 }
 
 INSTANTIATE_TEST_SUITE_P(Objects, Clustering,
-                         testing::Values(ClusterScene{"sphere", add_sphere, 0.03, 0.05},
-                                         ClusterScene{"leaves", add_leaves, 0.03, 0.05},
-                                         ClusterScene{"cubes", add_cubes, 0.03, 0.05}),
+                         testing::Values(ClusterScene{"sphere", add_sphere, 0.02F, 0.03, 0.03},
+                                         ClusterScene{"sphere", add_sphere, 0.005F, 0.02, 0.02},
+                                         ClusterScene{"leaves", add_leaves, 0.02F, 0.03, 0.14},
+                                         ClusterScene{"leaves", add_leaves, 0.005F, 0.02, 0.07},
+                                         ClusterScene{"cubes", add_cubes, 0.02F, 0.03, 0.16},
+                                         ClusterScene{"cubes", add_cubes, 0.005F, 0.02, 0.1}),
                          name_of);
 
 // Small convex bodies at random let exp(-A d / (4 V)) of a beam through [Sillion 1995, eq. 15]; A counts all faces.
@@ -77,7 +88,6 @@ TEST(Clustering, cloud_of_cubes_weakens_a_beam_exponentially) {
     const double area = kCount * 6.0 * kEdge * kEdge;
     const double expected = std::exp(-area * kDepth / (4.0 * kSide * kSide * kDepth));
     const double reached = luminance_of(means_of_instance(*solution, 0).irradiance) / 100;
-    printf("depth %g expected %g reached %g\n", -std::log(expected), expected, reached);
     EXPECT_NEAR(reached / expected, 1, 0.05);
 }
 

@@ -52,13 +52,4 @@ double arriving_power(const Solution& solution) {
     return power;
 }
 
-double reflected_power(const Solution& solution) {
-    double power = 0;
-    for (const NodeId id : surface_leaves(solution)) {
-        const Rgb reflected = solution.hierarchy[id].reflectance * solution.lighting.irradiance(id);
-        power += solution.lighting.area(id) * luminance(reflected);
-    }
-    return power;
-}
-
 }  // namespace gg::test

@@ -29,7 +29,5 @@ struct FaceMeans {
 
 // Power that arrives at all surfaces, W, luminance.
 [[nodiscard]] double arriving_power(const Solution& solution);
-// Power that all surfaces reflect, W, luminance.
-[[nodiscard]] double reflected_power(const Solution& solution);
 
 }  // namespace gg::test
