@@ -279,8 +279,7 @@ Seen trace_shadow_rays(const RayTracer& tracer, const ShadowRays& pairs, int cou
     const float all_seen = seen[0] + seen[1] + seen[2] + seen[3];
     const float all = total[0] + total[1] + total[2] + total[3];
     Seen result;
-    // Where the points of a receiving cluster all face away, nothing is known to be in the way of those that do not.
-    result.visibility = all > 0 ? all_seen / all : (pairs.sender_shines ? 1.0F : 0.0F);
+    result.visibility = all > 0 ? all_seen / all : 0.0F;
     for (int k = 0; k < kPoints; ++k) {
         result.quarters[k] = total[k] > 0 ? seen[k] / total[k] : result.visibility;
     }
@@ -381,7 +380,9 @@ Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId r
         }
     } else {
         constexpr float kShadowEdge = 0.25F;  // of a half-seen sender's light may fall on the wrong faces
-        link.visibility = seen.visibility;
+        // Where the points of a cluster all face away, nothing is known to be in the way of faces that do not.
+        const bool unknown = pairs.count == 0 && pairs.sender_shines;
+        link.visibility = unknown ? 1.0F : seen.visibility;
         const float variation = set_cluster_form_factor(hierarchy, to, from, samples, link);
         const float edge = kShadowEdge * std::sqrt(seen.visibility * (1 - seen.visibility));
         constexpr float kMadeUpFor = 0.5F;  // share of the variation that other senders make up for, see Link

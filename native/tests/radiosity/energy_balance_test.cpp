@@ -32,7 +32,7 @@ std::string name_of(const testing::TestParamInfo<Room>& info) {
 
 // Errors are weighed by what can be seen of them, so a black room is solved more coarsely.
 INSTANTIATE_TEST_SUITE_P(Rooms, ClosedRoom,
-                         testing::Values(Room{0.0F, 0.005F, 0.06}, Room{0.3F, 0.02F, 0.02}, Room{0.3F, 0.005F, 0.01},
+                         testing::Values(Room{0.0F, 0.005F, 0.06}, Room{0.3F, 0.02F, 0.03}, Room{0.3F, 0.005F, 0.01},
                                          Room{0.6F, 0.02F, 0.03}, Room{0.6F, 0.005F, 0.02}, Room{0.8F, 0.02F, 0.04},
                                          Room{0.8F, 0.005F, 0.02}),
                          name_of);
