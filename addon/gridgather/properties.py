@@ -18,7 +18,7 @@ class GridgatherSettings(bpy.types.PropertyGroup):
         items=(
             ("DRAFT", "Draft", "Rough and fast"),
             ("PREVIEW", "Preview", "To judge light and materials"),
-            ("FINAL", "Final", "Error below what is seen"),
+            ("FINAL", "Final", "For finished pictures"),
             ("PAPER", "Paper", "The published method to the letter, for comparisons"),
         ),
         default="FINAL",
