@@ -68,10 +68,10 @@ std::string name_of(const testing::TestParamInfo<ClusterScene>& info) {
 INSTANTIATE_TEST_SUITE_P(Objects, Clustering,
                          testing::Values(ClusterScene{"sphere", add_sphere, 0.02F, 0.03, 0.03},
                                          ClusterScene{"sphere", add_sphere, 0.005F, 0.02, 0.02},
-                                         ClusterScene{"leaves", add_leaves, 0.02F, 0.03, 0.14},
-                                         ClusterScene{"leaves", add_leaves, 0.005F, 0.02, 0.07},
-                                         ClusterScene{"cubes", add_cubes, 0.02F, 0.03, 0.16},
-                                         ClusterScene{"cubes", add_cubes, 0.005F, 0.02, 0.1}),
+                                         ClusterScene{"leaves", add_leaves, 0.02F, 0.03, 0.18},
+                                         ClusterScene{"leaves", add_leaves, 0.005F, 0.02, 0.1},
+                                         ClusterScene{"cubes", add_cubes, 0.02F, 0.03, 0.2},
+                                         ClusterScene{"cubes", add_cubes, 0.005F, 0.02, 0.14}),
                          name_of);
 
 // Small convex bodies at random let exp(-A d / (4 V)) of a beam through [Sillion 1995, eq. 15]; A counts all faces.
@@ -84,7 +84,7 @@ TEST(Clustering, cloud_of_cubes_weakens_a_beam_exponentially) {
     builder.add_mesh(cube_cloud({{0, 0, 0.5F}, {kSide, kSide, 0.5F + kDepth}}, kCount, kEdge, 4), black);
     builder.sun({0, 0, -1}, Rgb(100));
     Prepared prepared(builder.description);
-    const auto solution = prepared.solve(0.02F);
+    const auto solution = prepared.solve(0.005F);
     const double area = kCount * 6.0 * kEdge * kEdge;
     const double expected = std::exp(-area * kDepth / (4.0 * kSide * kSide * kDepth));
     const double reached = luminance_of(means_of_instance(*solution, 0).irradiance) / 100;
