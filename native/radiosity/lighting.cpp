@@ -308,6 +308,20 @@ double Lighting::total_reflected_power() const {
     return total;
 }
 
+void Lighting::clear(const Control& control) {
+    std::fill(irradiance_.begin(), irradiance_.end(), Rgb(0.0F));
+    std::fill(corners_.begin(), corners_.end(), std::array<Rgb, 3>{});
+    std::fill(received_.begin(), received_.end(), DirectionalForm{});
+    if (!hierarchy_.has_geometry()) {
+        return;
+    }
+    make_leaf_clusters(control);
+    for (auto id = static_cast<NodeId>(hierarchy_.nodes().size()); id-- > 0;) {
+        pull(id);
+    }
+    reflected_power_ = 0;
+}
+
 double Lighting::iterate(const Control& control) {
     if (!hierarchy_.has_geometry()) {
         return 0;

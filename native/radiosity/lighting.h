@@ -33,6 +33,10 @@ class Lighting {
     // caller's.
     void set_links(Links& links, const Control& control);
 
+    // Back to what surfaces emit by themselves. Light that coarse links let through would else die out only after all
+    // other light has come to rest.
+    void clear(const Control& control);
+
     // One Jacobi iteration: gathers over the links, pushes, pulls. Returns the largest relative step: the change of the
     // total reflected power over the power [0..].
     double iterate(const Control& control);

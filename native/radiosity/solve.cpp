@@ -99,6 +99,9 @@ std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& c
         }
         const StageTimer timer(statistics, "gather");
         solution->lighting.set_links(solution->links, control);
+        if (coarseness <= 1) {
+            solution->lighting.clear(control);
+        }
         const int most = coarseness > 1 ? kSweepsBetween : kSweepsAtEnd;
         for (int sweep = 0; sweep < most; ++sweep, ++sweeps) {
             if (solution->lighting.iterate(control) < kConverged) {
