@@ -11,11 +11,14 @@ from scene_files import scene_file, scene_names
 WIDTH = 160
 
 
-def rendered(name, preset):
-    """(pixels bottom row first, statistics of the view layer) of a small picture."""
+def rendered(name, preset, threads=0):
+    """(pixels bottom row first, statistics of the view layer) of a small picture. threads: 0 for all cores."""
     bpy.ops.wm.open_mainfile(filepath=str(scene_file(name)))
     scene = bpy.context.scene
     scene.gridgather.preset = preset
+    if threads:
+        scene.render.threads_mode = "FIXED"
+        scene.render.threads = threads
     scene.render.resolution_percentage = int(100 * WIDTH / scene.render.resolution_x)
     pixels = render_pixels(scene, "GRIDGATHER")
     (statistics,) = json.loads(scene.gridgather_statistics).values()
@@ -34,3 +37,9 @@ def test_scene_renders(name):
 def test_furnace_is_emission_over_one_minus_albedo():
     pixels, _ = rendered("furnace", "FINAL")
     assert pixels[..., :3].mean() == pytest.approx(0.5, rel=0.02)
+
+
+def test_room_is_the_same_on_one_thread():
+    pixels, _ = rendered("room", "FINAL")
+    alone, _ = rendered("room", "FINAL", threads=1)
+    assert np.array_equal(pixels, alone)

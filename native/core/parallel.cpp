@@ -1,6 +1,7 @@
 #include "core/parallel.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -13,6 +14,11 @@ namespace gg {
 void run_with_threads(int threads, const std::function<void()>& work) {
     tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
     arena.execute(work);
+}
+
+void run_alone(const std::function<void()>& work) {
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    run_with_threads(1, work);
 }
 
 void parallel_blocks(std::size_t count, std::size_t block, const Control& control,
