@@ -5,82 +5,11 @@
 
 #include "core/parallel.h"
 #include "gridgather.h"
+#include "radiosity/t_vertices.h"
 
 namespace gg {
 
 namespace {
-
-using Corners = std::array<std::uint32_t, 3>;
-
-std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
-    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
-}
-
-std::uint32_t find_midpoint(const InstanceVertices& vertices, std::uint32_t a, std::uint32_t b) {
-    const auto found = vertices.midpoints.find(edge_key(a, b));
-    return found == vertices.midpoints.end() ? kNone : found->second;
-}
-
-// Corners of the quarter of a triangle whose edges have midpoints opposite[k] (opposite corner k); as make_quarter.
-Corners quarter_corners(const Corners& corners, const Corners& opposite, int quarter) {
-    switch (quarter) {
-        case 0:
-            return {corners[0], opposite[2], opposite[1]};
-        case 1:
-            return {opposite[2], corners[1], opposite[0]};
-        case 2:
-            return {opposite[1], opposite[0], corners[2]};
-        default:
-            return {opposite[0], opposite[1], opposite[2]};
-    }
-}
-
-Corners opposite_midpoints(const InstanceVertices& vertices, const Corners& c) {
-    return {find_midpoint(vertices, c[1], c[2]), find_midpoint(vertices, c[2], c[0]),
-            find_midpoint(vertices, c[0], c[1])};
-}
-
-// A triangle of the picture: vertices, and their places in the whole (weights of corners 1 and 2).
-struct Piece {
-    Corners vertices;
-    std::array<Vec2, 3> places;
-};
-
-Piece whole_piece(const Corners& corners) {
-    return {corners, {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}};
-}
-
-// Splits a leaf at the midpoints that its neighbours put on its edges. Returns the number of parts, 1 when none did.
-// The pattern depends on the piece alone, so both users of it (averaging, look-up) see the same triangles.
-int split_at_t_vertices(const InstanceVertices& vertices, const Piece& piece, std::array<Piece, 4>& parts) {
-    const Corners middle = opposite_midpoints(vertices, piece.vertices);
-    const auto place = [&](int k) { return 0.5F * (piece.places[(k + 1) % 3] + piece.places[(k + 2) % 3]); };
-    const int count = static_cast<int>(std::count_if(middle.begin(), middle.end(), [](auto m) { return m != kNone; }));
-    if (count == 0) {
-        return 1;
-    }
-    const auto corner = [&](int k) { return std::pair{piece.vertices[k % 3], piece.places[k % 3]}; };
-    const auto mid = [&](int k) { return std::pair{middle[k % 3], place(k % 3)}; };
-    const auto make = [](auto a, auto b, auto c) {
-        return Piece{{a.first, b.first, c.first}, {a.second, b.second, c.second}};
-    };
-    if (count == 3) {
-        parts = {make(corner(0), mid(2), mid(1)), make(mid(2), corner(1), mid(0)), make(mid(1), mid(0), corner(2)),
-                 make(mid(0), mid(1), mid(2))};
-        return 4;
-    }
-    if (count == 1) {
-        const int k = middle[0] != kNone ? 0 : (middle[1] != kNone ? 1 : 2);
-        parts[0] = make(corner(k), corner(k + 1), mid(k));
-        parts[1] = make(corner(k), mid(k), corner(k + 2));
-        return 2;
-    }
-    const int k = middle[0] == kNone ? 0 : (middle[1] == kNone ? 1 : 2);  // the edge opposite k is whole
-    parts[0] = make(corner(k), mid(k + 2), mid(k + 1));
-    parts[1] = make(mid(k + 2), corner(k + 1), mid(k + 1));
-    parts[2] = make(corner(k + 1), corner(k + 2), mid(k + 1));
-    return 3;
-}
 
 class VertexBuilder {
   public:

@@ -7,20 +7,13 @@
 
 #include "core/vec.h"
 #include "radiosity/hierarchy.h"
+#include "radiosity/leaf_cluster.h"
 #include "radiosity/link.h"
 #include "transport/directional_form.h"
 
 namespace gg {
 
 class Control;
-
-// What a leaf cluster does with light, summed over its faces so that no iteration visits them.
-struct LeafCluster {
-    ReflectionOperator reflect;
-    DirectionalForm emission;  // W/sr
-    Rgb emitted_power{0.0F};   // W
-    double area = 0;           // m2, every lit side
-};
 
 class Lighting {
   public:

@@ -8,15 +8,13 @@
 #include "radiosity/arrival.h"
 #include "radiosity/face_sampling.h"
 #include "radiosity/near_link.h"
-#include "trace/surface_point.h"
-#include "transport/emitter_sampling.h"
-#include "transport/form_factor.h"
+#include "radiosity/shadow_rays.h"
 
 namespace gg {
 
 namespace {
 
-constexpr int kPoints = 4;  // of an element, at which form factors are evaluated
+constexpr int kPoints = kQuarters;  // of an element, at which form factors are evaluated
 constexpr int kClusterPoints = 16;
 
 // Corners of quarter k, numbered as in hierarchy.cpp.
@@ -45,53 +43,6 @@ std::array<Vec3, kClusterPoints> cluster_points(const Hierarchy& hierarchy, cons
         points[k] = sample_face(hierarchy, node, u, sequence(k, 1), sequence(k, 2)).position;
     }
     return points;
-}
-
-enum class SpotEdge { kInside, kCrosses, kOutside };
-
-// Where a receiver lies to the edge of a spot's cone.
-SpotEdge spot_edge(const Node& receiver, const Lamp& lamp) {
-    if (!lamp.is_spot) {
-        return SpotEdge::kInside;
-    }
-    const Vec3 to_receiver = receiver.center - lamp.position;
-    const float distance = length(to_receiver);
-    const float size = receiver.radius + lamp.radius;
-    if (distance <= size) {
-        return SpotEdge::kCrosses;
-    }
-    const float angle = std::acos(std::clamp(dot(to_receiver, lamp.direction) / distance, -1.0F, 1.0F));
-    const float edge = std::acos(std::clamp(lamp.spot_cos, -1.0F, 1.0F));
-    const float half_width = std::asin(size / distance);
-    return angle - half_width > edge   ? SpotEdge::kOutside
-           : angle + half_width < edge ? SpotEdge::kInside
-                                       : SpotEdge::kCrosses;
-}
-
-// A point of quarter k (numbered as in hierarchy.cpp) of an element.
-Vec3 point_in_quarter(const Node& node, int k, float u, float v) {
-    const Vec3 w = square_to_triangle(u, v);
-    const Vec3* c = node.corner;
-    const Vec3 inner = w.x * c[0] + w.y * c[1] + w.z * c[2];
-    return k == 3 ? 0.5F * (c[0] + c[1] + c[2] - inner) : 0.5F * (c[k] + inner);
-}
-
-bool all_behind(const Node& node, const Node& element) {
-    if (node.kind == NodeKind::kElement) {
-        return !in_front(node.corner[0], element) && !in_front(node.corner[1], element) &&
-               !in_front(node.corner[2], element);
-    }
-    const Vec3 farthest(element.normal.x > 0 ? node.corner[1].x : node.corner[0].x,
-                        element.normal.y > 0 ? node.corner[1].y : node.corner[0].y,
-                        element.normal.z > 0 ? node.corner[1].z : node.corner[0].z);
-    return !in_front(farthest, element);
-}
-
-bool behind_lamp(const Node& receiver, const Lamp& lamp) {
-    if (lamp.shape != LampShape::kRectangle && lamp.shape != LampShape::kEllipse) {
-        return false;
-    }
-    return dot(receiver.center - lamp.position, lamp.direction) < -receiver.radius;
 }
 
 // Mean form factors of an element's quarters, at their centroids: the same points for every sender, so that the form
@@ -163,140 +114,6 @@ float set_cluster_form_factor(const Hierarchy& hierarchy, const Node& receiver, 
     return std::max(sampled, size * link.form_factor);
 }
 
-struct ShadowRays {
-    std::array<Ray, kMaxRays> rays;
-    std::array<float, kMaxRays> weights{};
-    std::array<float, kMaxRays> lengths{};  // m
-    std::array<std::uint8_t, kMaxRays> quarters{};
-    std::size_t count = 0;
-    bool sender_shines = false;  // some point of the sender faces some point of the receiver, if not the reverse
-};
-
-// Adds the ray from a receiver's face to a point or direction of the sender, unless they do not face each other.
-void add_pair(const Hierarchy& hierarchy, const FacePoint& x, const Node& sender, Vec3 uvw, int quarter,
-              ShadowRays& out) {
-    const float u = uvw.x, v = uvw.y, w = uvw.z;
-    Vec3 target(0.0F), target_normal(0.0F);
-    float sender_weight = 1;
-    bool infinite = false;
-    if (sender.kind == NodeKind::kLamp) {
-        const LampSample sample = sample_lamp(hierarchy.scene().lamps[sender.source], x.position, v, w);
-        sender_weight = luminance(sample.normal_irradiance);
-        infinite = std::isinf(sample.distance);
-        target = infinite ? x.position + sample.direction : sample.point;
-    } else if (sender.kind == NodeKind::kSky) {
-        infinite = true;
-        target = x.position + cell_direction(sky_cell_of(sender), v, w);
-    } else {
-        const FacePoint y = sample_face(hierarchy, sender, u, v, w);
-        target = y.position;
-        const FacingSide side = side_towards(y, x.position);
-        target_normal = side.normal;
-        const Vec3 d = x.position - target;
-        const float squared = length_squared(d);
-        const float cosine = dot(d, target_normal) / std::sqrt(std::max(squared, 1e-30F));
-        sender_weight = side.chance * std::max(0.0F, cosine) / (squared + sender.area / (4 * kPi));
-    }
-    out.sender_shines |= sender_weight > 0;
-    const auto [normal, chance] = side_towards(x, target);
-    const Vec3 to_target = target - x.position;
-    const float distance = length(to_target);
-    const float weight = chance * sender_weight * std::max(0.0F, dot(normal, to_target)) / std::max(distance, 1e-30F);
-    if (!(weight > 0)) {
-        return;
-    }
-    const Vec3 origin = offset_origin(x.position, normal, infinite ? 1.0F : distance);
-    const Vec3 end = infinite ? origin + to_target : offset_origin(target, target_normal, distance);
-    out.rays[out.count] = {origin, end - origin, 0.0F, infinite ? kInfinity : 1.0F - 1e-5F};
-    out.weights[out.count] = weight;
-    out.lengths[out.count] = distance;
-    out.quarters[out.count] = static_cast<std::uint8_t>(quarter);
-    ++out.count;
-}
-
-// Where the occluders of a partly visible sender are, seen from the receiver.
-void find_occluders(const RayTracer& tracer, const ShadowRays& pairs, const std::array<std::uint8_t, kMaxRays>& blocked,
-                    Link& link) {
-    float nearest = kInfinity;
-    for (std::size_t i = 0; i < pairs.count; ++i) {
-        if (!blocked[i]) {
-            continue;
-        }
-        const Ray& ray = pairs.rays[i];
-        const Hit first = tracer.closest_hit(ray, RayMask::kLight);
-        if (first.missed()) {
-            continue;
-        }
-        nearest = std::min(nearest, first.distance * pairs.lengths[i]);
-        float last = first.distance;
-        if (!std::isinf(ray.far)) {
-            const Hit reverse =
-                tracer.closest_hit({ray.origin + ray.direction, -ray.direction, 0, ray.far}, RayMask::kLight);
-            last = reverse.missed() ? last : 1 - reverse.distance;
-        }
-        link.farthest_occluder = std::max(link.farthest_occluder, last * pairs.lengths[i]);
-    }
-    link.nearest_occluder = std::isinf(nearest) ? 0 : nearest;
-}
-
-// What the shadow rays of a link saw, for the whole receiver and for the quarters of an element.
-struct Seen {
-    float visibility = 0;
-    std::array<float, kPoints> quarters{};
-    float sampling_error = 0;
-};
-
-ShadowRays make_shadow_rays(const Hierarchy& hierarchy, const Node& receiver, const Node& sender, int count,
-                            SampleSet samples) {
-    const Sequence6 sequence = pair_sequence(receiver, sender, samples);
-    ShadowRays pairs;
-    for (int k = 0; k < count; ++k) {
-        const auto i = static_cast<std::uint32_t>(k);
-        if (receiver.kind == NodeKind::kElement) {
-            // Quarters share the points on the sender: what differs between them is then more than noise.
-            const std::uint32_t j = i / kPoints;
-            const Vec3 x = point_in_quarter(receiver, k % kPoints, sequence(i, 0), sequence(i, 1));
-            add_pair(hierarchy, {x, receiver.normal, 1, 0}, sender, {sequence(j, 5), sequence(j, 3), sequence(j, 4)},
-                     k % kPoints, pairs);
-        } else {
-            add_pair(hierarchy, sample_face(hierarchy, receiver, sequence(i, 2), sequence(i, 0), sequence(i, 1)),
-                     sender, {sequence(i, 5), sequence(i, 3), sequence(i, 4)}, 0, pairs);
-        }
-    }
-    return pairs;
-}
-
-// Sets the link's occluders.
-Seen trace_shadow_rays(const RayTracer& tracer, const ShadowRays& pairs, int count, Link& link) {
-    std::array<std::uint8_t, kMaxRays> blocked{};
-    tracer.occluded(std::span<const Ray>(pairs.rays.data(), pairs.count),
-                    std::span<std::uint8_t>(blocked.data(), pairs.count), RayMask::kLight, Coherence::kIncoherent);
-    std::array<float, kPoints> seen{}, total{};
-    for (std::size_t i = 0; i < pairs.count; ++i) {
-        total[pairs.quarters[i]] += pairs.weights[i];
-        seen[pairs.quarters[i]] += blocked[i] ? 0.0F : pairs.weights[i];
-    }
-    const float all_seen = seen[0] + seen[1] + seen[2] + seen[3];
-    const float all = total[0] + total[1] + total[2] + total[3];
-    Seen result;
-    result.visibility = all > 0 ? all_seen / all : 0.0F;
-    for (int k = 0; k < kPoints; ++k) {
-        result.quarters[k] = total[k] > 0 ? seen[k] / total[k] : result.visibility;
-    }
-    const auto n = static_cast<float>(count);
-    const bool mixed = result.visibility > 0 && result.visibility < 1;
-    if (mixed) {
-        find_occluders(tracer, pairs, blocked, link);
-        // Well-spread points converge faster than random ones; in two dimensions about as n^-3/4.
-        result.sampling_error = std::sqrt(result.visibility * (1 - result.visibility)) / std::pow(n, 0.75F);
-    } else {
-        // Pairs that do not face each other need no ray to be believed.
-        const float facing = static_cast<float>(std::max<std::size_t>(pairs.count, 1)) / n;
-        result.sampling_error = facing * kUnproven / (n + 2);
-    }
-    return result;
-}
-
 // Share by which the light of a spread-out cluster differs from that of its middle: second order in size over distance.
 float far_field_error(const Node& receiver, const Node& sender) {
     const float distance = length(receiver.center - sender.center);
@@ -305,49 +122,6 @@ float far_field_error(const Node& receiver, const Node& sender) {
 }
 
 }  // namespace
-
-bool never_exchange(const Hierarchy& hierarchy, const Node& receiver, const Node& sender) {
-    if (receiver.kind == NodeKind::kElement && is_surface(sender) && all_behind(sender, receiver)) {
-        return true;
-    }
-    if (sender.kind == NodeKind::kElement && all_behind(receiver, sender)) {
-        return true;
-    }
-    if (sender.kind != NodeKind::kLamp) {
-        return false;
-    }
-    const Lamp& lamp = hierarchy.scene().lamps[sender.source];
-    return behind_lamp(receiver, lamp) || spot_edge(receiver, lamp) == SpotEdge::kOutside;
-}
-
-bool separated(const Node& receiver, const Node& sender) {
-    return length(receiver.center - sender.center) > receiver.radius + sender.radius;
-}
-
-float form_factor_bound(const Hierarchy& hierarchy, const Node& receiver, const Node& sender) {
-    if (sender.kind == NodeKind::kSky) {
-        return sender.area / kPi;
-    }
-    if (sender.kind == NodeKind::kLamp) {
-        const Lamp& lamp = hierarchy.scene().lamps[sender.source];
-        if (lamp.shape == LampShape::kDistant) {
-            return 1;
-        }
-        const float gap = length(receiver.center - sender.center) - receiver.radius;
-        if (lamp.shape == LampShape::kPoint) {
-            return 1 / std::max(gap * gap, 1e-12F);
-        }
-        return gap > sender.radius ? (sender.radius / gap) * (sender.radius / gap) : 1.0F;
-    }
-    const float gap = length(receiver.center - sender.center) - receiver.radius;
-    if (gap <= sender.radius) {
-        return 1;
-    }
-    const float shown = sender.kind == NodeKind::kElement ? sender.area : 0.25F * sender.area;
-    const float sphere = (sender.radius / gap) * (sender.radius / gap);
-    const float reach = gap - sender.radius;
-    return std::min(sphere, shown / (kPi * reach * reach + shown));
-}
 
 Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId receiver, NodeId sender, int rays,
                    SampleSet samples, NearHits* hits) {
@@ -362,7 +136,10 @@ Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId r
         return link;
     }
     const ShadowRays pairs = make_shadow_rays(hierarchy, to, from, count, samples);
-    const Seen seen = trace_shadow_rays(tracer, pairs, count, link);
+    const Seen seen = trace_shadow_rays(tracer, pairs, count);
+    if (samples == SampleSet::kLink && seen.visibility > 0 && seen.visibility < 1) {
+        find_occluders(tracer, pairs, seen, link);
+    }
     if (to.kind == NodeKind::kElement) {
         const std::array<float, kPoints> unoccluded = quarter_form_factors(hierarchy, to, from);
         std::array<float, kPoints> arriving{};
