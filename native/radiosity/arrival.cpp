@@ -34,7 +34,7 @@ Arrival from_element(const Node& sender, Vec3 x) {
     if (!in_front(x, sender)) {
         return {};
     }
-    const Vec3 vector = vector_form_factor(x, std::span<const Vec3>(sender.corner, 3));
+    const Vec3 vector = vector_form_factor(x, sender.corner);
     const float factor = length(vector);
     if (!(factor > 0)) {
         return {};
@@ -89,6 +89,10 @@ float form_factor_at(const Hierarchy& hierarchy, const Node& receiver, const Nod
     }
     if (sender.kind == NodeKind::kSky) {
         return sky_form_factor(sender, receiver.normal);
+    }
+    if (sender.kind == NodeKind::kLamp) {
+        const Rgb irradiance = lamp_irradiance(hierarchy.scene().lamps[sender.source], x, receiver.normal);
+        return luminance(irradiance) / luminance(sender.emission);
     }
     const Arrival light = arrival(hierarchy, sender, x);
     return light.factor * std::max(0.0F, dot(receiver.normal, light.direction));

@@ -48,6 +48,9 @@ SpotEdge spot_edge(const Node& receiver, const Lamp& lamp) {
 }
 
 bool never_exchange(const Hierarchy& hierarchy, const Node& receiver, const Node& sender) {
+    if (!(receiver.weight > 0) || !(sender.weight > 0)) {
+        return true;
+    }
     if (receiver.kind == NodeKind::kElement && is_surface(sender) && all_behind(sender, receiver)) {
         return true;
     }

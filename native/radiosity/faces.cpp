@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint32_t kTrianglesPerLeaf = 8;
 constexpr std::uint32_t kInstancesPerLeaf = 1;
+constexpr float kPatch = 1.0F / 64;  // smallest patch, as a share of the scene's size
 
 MeshFaces make_mesh_faces(const Scene& scene, std::uint32_t instance, const RayTracer& tracer, const Control& control) {
     const Mesh& mesh = scene.meshes[scene.instances[instance].mesh];
@@ -27,14 +28,18 @@ MeshFaces make_mesh_faces(const Scene& scene, std::uint32_t instance, const RayT
     faces.tree = build_cluster_tree(boxes, kTrianglesPerLeaf, control);
     faces.exposure = find_exposure(scene, instance, tracer, control);
     faces.rank.resize(boxes.size());
-    faces.area_prefix.resize(boxes.size() + 1);
+    for (auto* prefix : {&faces.area_prefix, &faces.exposed_prefix}) {
+        prefix->resize(boxes.size() + 1);
+    }
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         const std::uint32_t triangle = faces.tree.order[i];
         const TriangleCorners& t = mesh.triangles[triangle];
         const Vec3 a = mesh.positions[t[0]];
         const double area = 0.5 * length(cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a));
         faces.area += area;
-        faces.area_prefix[i + 1] = faces.area_prefix[i] + area * faces.exposure[triangle].sum();
+        const double exposed = faces.exposure[triangle].sum();
+        faces.area_prefix[i + 1] = faces.area_prefix[i] + area * faces.exposure[triangle].sides();
+        faces.exposed_prefix[i + 1] = faces.exposed_prefix[i] + area * exposed;
         faces.rank[triangle] = static_cast<std::uint32_t>(i);
     }
     return faces;
@@ -57,13 +62,13 @@ FaceColors make_face_colors(const Scene& scene, std::uint32_t instance, const Me
     });
     glm::dvec3 reflected(0.0);
     const auto area_of = [&](std::size_t i) {
-        return (faces.area_prefix[i + 1] - faces.area_prefix[i]) / faces.exposure[faces.tree.order[i]].sum();
+        return (faces.area_prefix[i + 1] - faces.area_prefix[i]) / faces.exposure[faces.tree.order[i]].sides();
     };
     for (std::size_t i = 0; i < count; ++i) {
         reflected +=
-            (faces.area_prefix[i + 1] - faces.area_prefix[i]) * glm::dvec3(result.reflectance[faces.tree.order[i]]);
+            (faces.exposed_prefix[i + 1] - faces.exposed_prefix[i]) * glm::dvec3(result.reflectance[faces.tree.order[i]]);
     }
-    result.mean_reflectance = Rgb(reflected / std::max(faces.area_prefix.back(), 1e-300));
+    result.mean_reflectance = Rgb(reflected / std::max(faces.exposed_prefix.back(), 1e-300));
     if (std::any_of(emission.begin(), emission.end(), [](Rgb e) { return luminance(e) > 0; })) {
         result.emission_prefix.resize(count + 1);
         for (std::size_t i = 0; i < count; ++i) {
@@ -131,12 +136,19 @@ SceneFaces make_scene_faces(const Scene& scene, const SurfaceColors& colors, con
         }
         faces.instances = build_cluster_tree(boxes, kInstancesPerLeaf, control);
         faces.instance_prefix.resize(boxes.size() + 1);
+        faces.instance_exposed_prefix.resize(boxes.size() + 1);
         faces.instance_rank.resize(scene.instances.size());
         for (std::uint32_t i = 0; i < boxes.size(); ++i) {
             const std::uint32_t instance = faces.instance_ids[faces.instances.order[i]];
-            faces.instance_prefix[i + 1] = faces.instance_prefix[i] + faces.instance_area[instance];
+            const MeshFaces& mesh = faces.meshes[scene.instances[instance].mesh];
+            const double scale = faces.instance_area[instance] / std::max(mesh.area, 1e-300);
+            faces.instance_prefix[i + 1] = faces.instance_prefix[i] + scale * mesh.area_prefix.back();
+            faces.instance_exposed_prefix[i + 1] =
+                faces.instance_exposed_prefix[i] + scale * mesh.exposed_prefix.back();
             faces.instance_rank[instance] = i;
         }
+        faces.patches = find_patches(scene, faces.instance_ids, kPatch * faces.instances.nodes[0].bounds.diameter(),
+                                     tracer, control);
     }
     return faces;
 }

@@ -7,6 +7,7 @@
 
 #include "core/vec.h"
 #include "radiosity/cluster_tree.h"
+#include "radiosity/patches.h"
 #include "scene/scene.h"
 
 namespace gg {
@@ -27,13 +28,16 @@ struct FaceColors {
 // cushion, get no light and must not take part in a cluster's means. 0..1, never quite 0, 0 only where Sides says so.
 struct Exposure {
     float front = 1, back = 1;
+    float front_shelter = 0, back_shelter = 0;  // how much of its own instance a side sees, unless it is covered
     [[nodiscard]] float sum() const { return front + back; }
+    [[nodiscard]] int sides() const { return (front > 0 ? 1 : 0) + (back > 0 ? 1 : 0); }
 };
 
 struct MeshFaces {
     ClusterTree tree;                 // over triangles, object space
     std::vector<Exposure> exposure;   // per triangle
-    std::vector<double> area_prefix;  // of object-space area * exposure in tree order, size triangles + 1
+    // Sums over the triangles in tree order, size triangles + 1: object-space area of every lit side, and times exposure.
+    std::vector<double> area_prefix, exposed_prefix;
     double area = 0;                  // object space, every triangle once
     std::vector<std::uint32_t> rank;  // triangle -> its place in tree order
 };
@@ -44,9 +48,11 @@ struct SceneFaces {
     std::vector<std::uint32_t> instance_colors;  // per instance, into colors
     std::vector<float> instance_area;            // per instance: world area, m2, every triangle once
     ClusterTree instances;                       // over the instances that light reaches; no nodes when none
-    std::vector<double> instance_prefix;         // of world areas in the order of `instances`, size items + 1
+    // Sums over instances in the order of `instances`, size items + 1: of world area of every lit side, and * exposure.
+    std::vector<double> instance_prefix, instance_exposed_prefix;
     std::vector<std::uint32_t> instance_ids;     // item of `instances` -> instance
     std::vector<std::uint32_t> instance_rank;    // instance -> place in the order of `instances`
+    PatchForest patches;                         // of large faces that are covered in part
 };
 
 [[nodiscard]] SceneFaces make_scene_faces(const Scene& scene, const SurfaceColors& colors, const RayTracer& tracer,

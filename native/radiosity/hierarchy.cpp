@@ -5,6 +5,7 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "material/surface_color.h"
+#include "radiosity/quarter.h"
 #include "transport/emitter_sampling.h"
 
 namespace gg {
@@ -21,10 +22,16 @@ void set_bounds(Node& node, const Box& box) {
 }
 
 void set_triangle(Node& node) {
-    const Vec3* c = node.corner;
+    const auto& c = node.corner;
     node.center = (c[0] + c[1] + c[2]) / 3.0F;
     node.radius = std::sqrt(std::max(
         {length_squared(c[0] - node.center), length_squared(c[1] - node.center), length_squared(c[2] - node.center)}));
+}
+
+float mean_exposure(const std::vector<double>& area, const std::vector<double>& exposed,
+                    const ClusterTree::Node& range) {
+    const double whole = area[range.end] - area[range.begin];
+    return whole > 0 ? static_cast<float>((exposed[range.end] - exposed[range.begin]) / whole) : 1.0F;
 }
 
 int lit_sides(Sides sides) {
@@ -83,6 +90,7 @@ Node Hierarchy::make_instances(std::uint32_t tree_node, NodeId parent) const {
         ids += hash64(scene_.instances[instance].stable_id);
     }
     node.area = static_cast<float>(area);
+    node.exposure = mean_exposure(faces_.instance_prefix, faces_.instance_exposed_prefix, range);
     node.reflectance = Rgb(reflected / std::max(area, 1e-300));
     node.emission = Rgb(emitted / std::max(area, 1e-300));
     node.stable_id = hash64(ids, kGeometrySeed);
@@ -106,6 +114,7 @@ Node Hierarchy::make_cluster(std::uint32_t instance, std::uint32_t tree_node, No
     const double scale = faces_.instance_area[instance] / std::max(mesh.area, 1e-300);  // object to world area
     const double area = scale * (mesh.area_prefix[range.end] - mesh.area_prefix[range.begin]);
     node.area = static_cast<float>(area);
+    node.exposure = mean_exposure(mesh.area_prefix, mesh.exposed_prefix, range);
     node.reflectance = colors.mean_reflectance;
     if (!colors.emission_prefix.empty() && area > 0) {
         const double emitted = scale * (colors.emission_prefix[range.end] - colors.emission_prefix[range.begin]);
@@ -124,8 +133,7 @@ Node Hierarchy::make_element(std::uint32_t instance, std::uint32_t triangle, boo
     node.parent = parent;
     node.instance = instance;
     node.source = triangle;
-    const auto corners = world_triangle(scene_, instance, triangle);
-    std::copy(corners.begin(), corners.end(), node.corner);
+    node.corner = world_triangle(scene_, instance, triangle);
     node.weights[1] = {1, 0};
     node.weights[2] = {0, 1};
     set_triangle(node);
@@ -137,17 +145,18 @@ Node Hierarchy::make_element(std::uint32_t instance, std::uint32_t triangle, boo
         node.emission = kPi * colors.emission[triangle];
     }
     node.stable_id = hash64(hash64(scene_.instances[instance].stable_id, triangle), back ? 2 : 1);
+    const Exposure& exposure = faces_.meshes[scene_.instances[instance].mesh].exposure[triangle];
+    node.weight = back ? exposure.back : exposure.front;
+    node.shelter = back ? exposure.back_shelter : exposure.front_shelter;
+    node.patch = faces_.patches.root(instance, triangle, back);
+    if (node.patch != kNone) {
+        const Patch& patch = faces_.patches.patches[node.patch];
+        node.exposure = patch.exposure;
+        node.weight /= patch.exposure;  // its patches have the rest
+    }
     return node;
 }
 
-// Quarter 0..2 keeps corner 0..2 in its place, quarter 3 is the middle one:
-//
-//        2
-//       / \          each quarter has the parent's orientation
-//      /_2_\         and a quarter of its area
-//     / \3/ \        .
-//    /_0_V_1_\       .
-//   0         1
 Node Hierarchy::make_quarter(NodeId parent, int quarter) const {
     const Node& whole = nodes_[parent];
     Node node = whole;
@@ -156,13 +165,22 @@ Node Hierarchy::make_quarter(NodeId parent, int quarter) const {
     node.first_child = 0;
     node.depth = static_cast<std::uint8_t>(whole.depth + 1);
     node.area = 0.25F * whole.area;
-    node.stable_id = hash64(whole.stable_id, 3 + quarter);
-    for (int k = 0; k < 3; ++k) {
-        const int other = quarter == 3 ? (k + 1) % 3 : quarter;
-        const int self = quarter == 3 ? (k + 2) % 3 : k;
-        node.corner[k] = 0.5F * (whole.corner[self] + whole.corner[other]);
-        node.weights[k] = 0.5F * (whole.weights[self] + whole.weights[other]);
+    node.exposure = 1;
+    node.weight = 1;
+    node.patch = kNone;
+    if (whole.patch != kNone) {
+        const std::uint32_t id = faces_.patches.patches[whole.patch].first_child + quarter;
+        const Patch& patch = faces_.patches.patches[id];
+        if (faces_.patches.is_open(id)) {
+            node.patch = id;
+            node.exposure = patch.exposure;
+        } else {
+            node.weight = patch.exposure;
+        }
     }
+    node.stable_id = hash64(whole.stable_id, 3 + quarter);
+    node.corner = quarter_of(whole.corner, quarter);
+    node.weights = quarter_of(whole.weights, quarter);
     set_triangle(node);
     const std::uint32_t material = scene_.material_of(whole.instance, whole.source);
     const Mesh& mesh = scene_.meshes[scene_.instances[whole.instance].mesh];
@@ -292,10 +310,18 @@ void Hierarchy::open(std::span<const NodeId> leaves, const Control& control) {
     if (next > nodes_.capacity()) {
         nodes_.reserve(std::max<std::size_t>(next, nodes_.capacity() * 3 / 2));
     }
+    const auto first = static_cast<NodeId>(nodes_.size());
     for (const auto& block : made) {
         nodes_.insert(nodes_.end(), block.begin(), block.end());
     }
     generations_.push_back(next);
+    std::vector<NodeId> mixed;
+    for (NodeId id = first; id < next; ++id) {
+        if (nodes_[id].patch != kNone) {
+            mixed.push_back(id);
+        }
+    }
+    open(mixed, control);
 }
 
 bool Hierarchy::contains(const Node& cluster, std::uint32_t instance, std::uint32_t triangle) const {

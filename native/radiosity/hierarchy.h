@@ -9,6 +9,7 @@
 // backward loop pulls. Opening a node changes no other node's id.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -42,8 +43,14 @@ struct Node {
     float radius = 0;                // of the bounding sphere, m; lamps: of the lamp; kSky: of the cell in rad
     Vec3 normal{0.0F};               // kElement: unit, of the receiving side
     float area = 0;                  // m2, every face with each of its lit sides; kSky: solid angle
-    Vec3 corner[3] = {};             // kElement: world; others: [0], [1] the box
-    Vec2 weights[3] = {};            // kElement: of corners 1 and 2 of the triangle, at this element's corners
+    // Mean exposure by area. What arrives at the node is shared out: a face gets it times its own exposure over this,
+    // and light from within the cluster times its own shelter (1 - exposure) over the mean shelter.
+    float exposure = 1;
+    float weight = 1;             // kElement: its own exposure, by which it gets what arrives at its parent
+    float shelter = 0;            // kElement: of a whole triangle: its own
+    std::uint32_t patch = kNone;  // kElement: of SceneFaces::patches, as long as its quarters have patches too
+    std::array<Vec3, 3> corner{};    // kElement: world; others: [0], [1] the box
+    std::array<Vec2, 3> weights{};   // kElement: of corners 1 and 2 of the triangle, at this element's corners
     Rgb reflectance{0.0F};           // mean over the faces
     Rgb emission{0.0F};  // radiosity that it emits by itself, mean over the faces, W/m2 (lamps: see make_lamp)
 };
@@ -69,7 +76,8 @@ class Hierarchy {
     // Lamps and sky cells, present from the start.
     [[nodiscard]] const std::vector<NodeId>& infinite_and_lamps() const { return senders_; }
 
-    // Gives children to leaves, in the order of `leaves` (ascending ids). Lamps have none.
+    // Gives children to leaves, in the order of `leaves` (ascending ids), and to elements among them that are exposed in
+    // part, down to the patches. Lamps have none.
     void open(std::span<const NodeId> leaves, const Control& control);
     // Nodes of one generation have no parent in the same generation: [begin, end) of generation g.
     [[nodiscard]] std::span<const NodeId> generations() const { return generations_; }

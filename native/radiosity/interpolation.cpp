@@ -11,6 +11,8 @@ namespace gg {
 
 namespace {
 
+constexpr float kLeastWeight = 1e-3F;
+
 class VertexBuilder {
   public:
     VertexBuilder(Solution& solution, std::uint32_t instance, InstanceVertices& out)
@@ -74,7 +76,7 @@ class VertexBuilder {
         const int count = split_at_t_vertices(out_, piece, parts);
         if (node.child_count == 0) {
             solution_.element_vertices[id] = {piece.vertices, count > 1};
-            add_piece(whole_piece(piece.vertices), node.back, solution_.lighting.corner_irradiance(id));
+            add_piece(whole_piece(piece.vertices), node, solution_.lighting.corner_irradiance(id));
             return;
         }
         for (int quarter = 0; quarter < 4; ++quarter) {
@@ -82,19 +84,22 @@ class VertexBuilder {
         }
     }
 
-    void add_piece(const Piece& piece, bool back, const std::array<Rgb, 3>& corners) {
+    void add_piece(const Piece& piece, const Node& node, const std::array<Rgb, 3>& corners) {
+        // What is covered is not seen: it must not darken the edge of what is.
+        const float weight = std::max(node.weight, kLeastWeight);
         std::array<Piece, 4> parts;
         const int count = split_at_t_vertices(out_, piece, parts);
         if (count == 1) {
             for (int k = 0; k < 3; ++k) {
                 const Vec2 w = piece.places[k];
-                sums_[back][piece.vertices[k]] += (1 - w.x - w.y) * corners[0] + w.x * corners[1] + w.y * corners[2];
-                weights_[back][piece.vertices[k]] += 1;
+                const Rgb value = (1 - w.x - w.y) * corners[0] + w.x * corners[1] + w.y * corners[2];
+                sums_[node.back][piece.vertices[k]] += weight * value;
+                weights_[node.back][piece.vertices[k]] += weight;
             }
             return;
         }
         for (int i = 0; i < count; ++i) {
-            add_piece(parts[i], back, corners);
+            add_piece(parts[i], node, corners);
         }
     }
 
@@ -102,15 +107,16 @@ class VertexBuilder {
     void add_cluster(NodeId cluster) {
         const Hierarchy& hierarchy = solution_.hierarchy;
         const Scene& scene = hierarchy.scene();
-        const DirectionalForm& light = solution_.lighting.received(cluster);
         const Mat3& to_world = scene.instances[instance_].normal_to_world;
         const auto add = [&](std::uint32_t, std::uint32_t triangle) {
             const Sides sides = scene.sides_of(instance_, triangle);
+            const Exposure& exposure = hierarchy.faces().meshes[scene.instances[instance_].mesh].exposure[triangle];
             for (const std::uint32_t vertex : mesh_.shading_vertices[triangle]) {
                 const Vec3 normal = normalize_or_zero(to_world * mesh_.normals[vertex]);
                 for (const bool back : {false, true}) {
                     if (sides == Sides::kBoth || back == (sides == Sides::kBack)) {
-                        sums_[back][vertex] += evaluate_clamped(light, back ? -normal : normal);
+                        sums_[back][vertex] +=
+                            solution_.lighting.irradiance_of_face(cluster, exposure, back, back ? -normal : normal);
                         weights_[back][vertex] += 1;
                     }
                 }
@@ -131,7 +137,7 @@ class VertexBuilder {
         }
         values.resize(sums_[side].size());
         for (std::size_t i = 0; i < values.size(); ++i) {
-            values[i] = sums_[side][i] / std::max(weights_[side][i], 1.0F);
+            values[i] = weights_[side][i] > 0 ? sums_[side][i] / weights_[side][i] : Rgb(0.0F);
         }
     }
 

@@ -1,6 +1,8 @@
 // Clusters that were not opened, as one thing that receives, reflects and emits.
 #pragma once
 
+#include <array>
+
 #include "radiosity/hierarchy.h"
 #include "transport/directional_form.h"
 
@@ -8,11 +10,25 @@ namespace gg {
 
 // What a leaf cluster does with light, summed over its faces so that no iteration visits them.
 struct LeafCluster {
-    ReflectionOperator reflect;
+    // Of what arrives from afar at an exposure of 1, and from within at a shelter of 1; m2 that times such a form give W.
+    ReflectionOperator reflect, reflect_near;
+    std::array<float, kFormSize> arriving{}, arriving_near{};
     DirectionalForm emission;  // W/sr
     Rgb emitted_power{0.0F};   // W
     double area = 0;           // m2, every lit side
 };
+
+// The area of a cluster's faces that faces a direction, as they are and times their exposure, m2: moments of form_basis.
+struct FacingArea {
+    std::array<float, kFormSize> area{}, exposed{}, sheltered{};
+};
+
+[[nodiscard]] FacingArea facing_area(const Hierarchy& hierarchy, const Node& node);
+
+// By what to scale light that falls on all faces alike, so that the same power arrives when it is shared out by exposure
+// or by shelter.
+[[nodiscard]] float share_out_far(const FacingArea& facing, const DirectionalForm& light);
+[[nodiscard]] float share_out_near(const FacingArea& facing, const DirectionalForm& light);
 
 [[nodiscard]] LeafCluster make_leaf_cluster(const Hierarchy& hierarchy, const Node& node);
 

@@ -5,12 +5,19 @@
 
 #include "core/control.h"
 #include "core/parallel.h"
+#include "radiosity/quarter.h"
 
 namespace gg {
 
 namespace {
 
 constexpr std::size_t kBlock = 64;
+
+// What shares out light from near over the patches of an element.
+float patch_shelter(float exposure) {
+    constexpr float kOfCovered = 0.5F;
+    return 1.01F - kOfCovered * exposure;
+}
 
 }  // namespace
 
@@ -39,9 +46,22 @@ void Lighting::grow(const Control& control) {
         } else if (node.kind == NodeKind::kElement) {
             slot_[id] = static_cast<std::uint32_t>(corners_.size());
             corners_.push_back({irradiance_[id], irradiance_[id], irradiance_[id]});
+            near_.emplace_back(0.0F);
         }
     }
-    control.check_cancel();
+    const auto first = static_cast<std::size_t>(facing_.size());
+    facing_.resize(received_.size());
+    std::vector<NodeId> made(facing_.size() - first);
+    for (std::size_t id = old; id < nodes.size(); ++id) {
+        if (is_cluster(nodes[id])) {
+            made[slot_[id] - first] = static_cast<NodeId>(id);
+        }
+    }
+    parallel_for(made.size(), 1, control, [&](std::size_t i) {
+        if (hierarchy_.has_geometry()) {
+            facing_[first + i] = facing_area(hierarchy_, nodes[made[i]]);
+        }
+    });
 }
 
 void Lighting::set_links(Links& links, const Control& control) {
@@ -113,6 +133,16 @@ void Lighting::make_leaf_clusters(const Control& control) {
     });
 }
 
+Rgb Lighting::on_face(const Received& light, const Exposure& face, bool back, Vec3 normal) {
+    const float exposure = back ? face.back : face.front;
+    const float shelter = back ? face.back_shelter : face.front_shelter;
+    return glm::max(exposure * evaluate(light.far, normal) + shelter * evaluate(light.near, normal), Rgb(0.0F));
+}
+
+Rgb Lighting::irradiance_of_face(NodeId cluster, const Exposure& exposure, bool back, Vec3 normal) const {
+    return on_face(received_[slot_[cluster]], exposure, back, normal);
+}
+
 Rgb Lighting::radiosity_at(const NearHit& hit) const {
     if (hit.leaf == kNone) {
         return Rgb(0.0F);
@@ -123,7 +153,8 @@ Rgb Lighting::radiosity_at(const NearHit& hit) const {
     const SceneFaces& faces = hierarchy_.faces();
     const FaceColors& colors = faces.colors[faces.instance_colors[hit.instance]];
     const Vec3 front = normalize_or_zero(world_area_vector(hierarchy_.scene(), hit.instance, hit.triangle));
-    const Rgb irradiance = evaluate_clamped(shining_[slot_[hit.leaf]], hit.back ? -front : front);
+    const Exposure& exposure = faces.meshes[hierarchy_.scene().instances[hit.instance].mesh].exposure[hit.triangle];
+    const Rgb irradiance = on_face(shining_[slot_[hit.leaf]], exposure, hit.back, hit.back ? -front : front);
     const Rgb emission = colors.emission.empty() ? Rgb(0.0F) : colors.emission[hit.triangle];
     return kPi * emission + colors.reflectance[hit.triangle] * irradiance;
 }
@@ -155,7 +186,8 @@ void Lighting::gather(NodeId receiver) {
     const auto& nodes = hierarchy_.nodes();
     const Node& to = nodes[receiver];
     std::array<Rgb, 3> corners{};
-    DirectionalForm form;
+    DirectionalForm form, near;
+    Rgb near_mean(0.0F);
     for (std::uint32_t i = link_begin_[receiver]; i < link_begin_[receiver + 1]; ++i) {
         const Link& link = links_[link_order_[i]];
         const Node& from = nodes[link.sender];
@@ -164,7 +196,7 @@ void Lighting::gather(NodeId receiver) {
             continue;
         }
         if (link.near) {
-            gather_near(link, form, corners);
+            gather_near(link, near, corners);
             continue;
         }
         Rgb arriving;
@@ -176,16 +208,22 @@ void Lighting::gather(NodeId receiver) {
         }
         if (to.kind == NodeKind::kElement) {
             for (int k = 0; k < 3; ++k) {
-                corners[k] += link.shape[k] * arriving;
+                corners[k] += (1 - link.near_share) * link.shape[k] * arriving;
             }
+            near_mean += link.near_share * arriving;
         } else {
-            add_cone(form, arriving, link.shape);
+            DirectionalForm cone;
+            add_cone(cone, Rgb(1.0F), link.shape);
+            cone *= arriving * share_out_far(facing_[slot_[receiver]], cone);
+            form += cone;
         }
     }
     if (to.kind == NodeKind::kElement) {
-        corners_[slot_[receiver]] = corners;
+        const float shared_out = 1 / to.exposure;
+        corners_[slot_[receiver]] = {shared_out * corners[0], shared_out * corners[1], shared_out * corners[2]};
+        near_[slot_[receiver]] = near_mean / patch_shelter(to.exposure);
     } else {
-        received_[slot_[receiver]] = form;
+        received_[slot_[receiver]] = {form, near * share_out_near(facing_[slot_[receiver]], near)};
     }
 }
 
@@ -196,20 +234,30 @@ void Lighting::push(NodeId id) {
         return;
     }
     if (node.kind != NodeKind::kElement) {
-        received_[slot_[id]] += received_[slot_[node.parent]];
+        received_[slot_[id]].far += received_[slot_[node.parent]].far;
+        received_[slot_[id]].near += received_[slot_[node.parent]].near;
         return;
     }
     std::array<Rgb, 3>& corners = corners_[slot_[id]];
     if (nodes[node.parent].kind == NodeKind::kElement) {
         const std::array<Rgb, 3>& whole = corners_[slot_[node.parent]];
         const int quarter = static_cast<int>(id - nodes[node.parent].first_child);
-        for (int k = 0; k < 3; ++k) {  // as make_quarter in hierarchy.cpp
-            const int self = quarter == 3 ? (k + 2) % 3 : k;
-            const int other = quarter == 3 ? (k + 1) % 3 : quarter;
-            corners[k] += 0.5F * (whole[self] + whole[other]);
+        const std::array<Rgb, 3> inherited = quarter_of(whole, quarter);
+        for (int k = 0; k < 3; ++k) {
+            corners[k] += node.weight * inherited[k];
+        }
+        const Rgb near = near_[slot_[node.parent]];
+        if (node.patch != kNone) {
+            near_[slot_[id]] += near;
+        } else if (nodes[node.parent].patch != kNone) {
+            for (Rgb& corner : corners) {
+                corner += patch_shelter(node.weight) * near;
+            }
         }
     } else {
-        const Rgb irradiance = evaluate_clamped(received_[slot_[node.parent]], node.normal);
+        const Received& light = received_[slot_[node.parent]];
+        const Rgb irradiance = glm::max(
+            node.weight * evaluate(light.far, node.normal) + node.shelter * evaluate(light.near, node.normal), Rgb(0.0F));
         for (Rgb& corner : corners) {
             corner += irradiance;
         }
@@ -231,13 +279,19 @@ void Lighting::pull(NodeId id) {
             return;
         }
         const LeafCluster& leaf = leaves_[leaf_slot_[id]];
-        const DirectionalForm& light = received_[slot_[id]];
-        intensity_[slot_[id]] = leaf.emission + leaf.reflect.apply(light);
-        const Rgb reflected = glm::max(leaf.reflect.reflected_power(light), Rgb(0.0F));
+        const Received& light = received_[slot_[id]];
+        intensity_[slot_[id]] = leaf.emission + leaf.reflect.apply(light.far) + leaf.reflect_near.apply(light.near);
+        const Rgb reflected = glm::max(
+            leaf.reflect.reflected_power(light.far) + leaf.reflect_near.reflected_power(light.near), Rgb(0.0F));
         const auto inverse_area = static_cast<float>(1.0 / std::max(leaf.area, 1e-30));
         radiosity_[id] = (leaf.emitted_power + reflected) * inverse_area;
         spread_[id] = 0;
-        irradiance_[id] = reflected * inverse_area / glm::max(node.reflectance, Rgb(1e-3F));
+        Rgb arriving(0.0F);
+        for (std::size_t i = 0; i < kFormSize; ++i) {
+            arriving += leaf.arriving[i] * light.far.coefficients[i];
+            arriving += leaf.arriving_near[i] * light.near.coefficients[i];
+        }
+        irradiance_[id] = glm::max(arriving, Rgb(0.0F)) * inverse_area;
         return;
     }
     glm::dvec3 power(0.0), arriving(0.0);
@@ -281,7 +335,8 @@ double Lighting::total_reflected_power() const {
 void Lighting::clear(const Control& control) {
     std::fill(irradiance_.begin(), irradiance_.end(), Rgb(0.0F));
     std::fill(corners_.begin(), corners_.end(), std::array<Rgb, 3>{});
-    std::fill(received_.begin(), received_.end(), DirectionalForm{});
+    std::fill(near_.begin(), near_.end(), Rgb(0.0F));
+    std::fill(received_.begin(), received_.end(), Received{});
     if (!hierarchy_.has_geometry()) {
         return;
     }
@@ -320,7 +375,7 @@ double Lighting::iterate(const Control& control) {
 
 std::size_t Lighting::bytes() const {
     return radiosity_.capacity() * (2 * sizeof(Rgb) + sizeof(float) + sizeof(double) + 2 * sizeof(std::uint32_t)) +
-           received_.capacity() * 2 * sizeof(DirectionalForm) + leaves_.capacity() * sizeof(LeafCluster) +
+           received_.capacity() * (2 * sizeof(Received) + sizeof(DirectionalForm)) + leaves_.capacity() * sizeof(LeafCluster) +
            link_order_.capacity() * sizeof(std::uint32_t);
 }
 

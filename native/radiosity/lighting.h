@@ -41,8 +41,8 @@ class Lighting {
     [[nodiscard]] float spread(NodeId id) const { return spread_[id]; }
     // Irradiance at an element's corners, linear in between, >= 0.
     [[nodiscard]] const std::array<Rgb, 3>& corner_irradiance(NodeId element) const { return corners_[slot_[element]]; }
-    // All that arrives at a cluster from outside of its faces' own mesh level, as seen by its faces.
-    [[nodiscard]] const DirectionalForm& received(NodeId cluster) const { return received_[slot_[cluster]]; }
+    // All that arrives at a cluster's face with this exposure on one side; unit normal of that side.
+    [[nodiscard]] Rgb irradiance_of_face(NodeId cluster, const Exposure& exposure, bool back, Vec3 normal) const;
     [[nodiscard]] const DirectionalForm& intensity(NodeId cluster) const { return intensity_[slot_[cluster]]; }
     // Exact area once light was gathered, m2.
     [[nodiscard]] double area(NodeId id) const { return area_[id]; }
@@ -64,9 +64,16 @@ class Lighting {
     std::vector<float> spread_;
     std::vector<double> area_;
     std::vector<std::uint32_t> slot_;          // cluster -> received_, intensity_; element -> corners_
-    std::vector<std::array<Rgb, 3>> corners_;  // irradiance at an element's corners
-    std::vector<DirectionalForm> received_, intensity_;
-    std::vector<DirectionalForm> shining_;  // received_ of the iteration before
+    std::vector<std::array<Rgb, 3>> corners_;  // irradiance at an element's corners; with patches, at an exposure of 1
+    std::vector<Rgb> near_;                    // what arrives from near at an element with patches, at a shelter of 1
+    struct Received {
+        DirectionalForm far, near;  // per exposure, per shelter
+    };
+    std::vector<Received> received_;
+    std::vector<DirectionalForm> intensity_;
+    std::vector<FacingArea> facing_;
+    std::vector<Received> shining_;  // received_ of the iteration before
+    [[nodiscard]] static Rgb on_face(const Received& light, const Exposure& face, bool back, Vec3 normal);
     std::vector<std::uint32_t> leaf_slot_;  // leaf cluster -> leaves_, or kNone
     std::vector<LeafCluster> leaves_;
     std::span<const Link> links_;

@@ -23,6 +23,7 @@ struct Link {
     Vec3 shape{0.0F};
     float form_factor = 0;  // unoccluded; times m2 for clusters; of near links: share of the rays that hit
     float visibility = 0;   // 0..1
+    float near_share = 0;   // of what arrives: from closer than what the receiver's patches looked for
     // Errors of form_factor * visibility, same unit: of its course over the receiver, which the other links of the
     // receiver make up for in part, and of its level, which nothing makes up for.
     float shape_error = 0;

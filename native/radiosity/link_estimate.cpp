@@ -8,6 +8,7 @@
 #include "radiosity/arrival.h"
 #include "radiosity/face_sampling.h"
 #include "radiosity/near_link.h"
+#include "radiosity/quarter.h"
 #include "radiosity/shadow_rays.h"
 
 namespace gg {
@@ -16,18 +17,6 @@ namespace {
 
 constexpr int kPoints = kQuarters;  // of an element, at which form factors are evaluated
 constexpr int kClusterPoints = 16;
-
-// Corners of quarter k, numbered as in hierarchy.cpp.
-std::array<Vec3, 3> quarter_of(const std::array<Vec3, 3>& c, int k) {
-    if (k == 3) {
-        return {0.5F * (c[1] + c[2]), 0.5F * (c[2] + c[0]), 0.5F * (c[0] + c[1])};
-    }
-    std::array<Vec3, 3> quarter;
-    for (int i = 0; i < 3; ++i) {
-        quarter[i] = 0.5F * (c[i] + c[k]);
-    }
-    return quarter;
-}
 
 Vec3 centroid(const std::array<Vec3, 3>& c) {
     return (c[0] + c[1] + c[2]) / 3.0F;
@@ -40,7 +29,7 @@ std::array<Vec3, kClusterPoints> cluster_points(const Hierarchy& hierarchy, cons
     std::array<Vec3, kClusterPoints> points;
     for (std::uint32_t k = 0; k < kClusterPoints; ++k) {
         const float u = (static_cast<float>(k) + sequence(k, 0)) / kClusterPoints;
-        points[k] = sample_face(hierarchy, node, u, sequence(k, 1), sequence(k, 2)).position;
+        points[k] = sample_face(hierarchy, node, Spread::kByArea, u, sequence(k, 1), sequence(k, 2)).position;
     }
     return points;
 }
@@ -54,11 +43,10 @@ std::array<float, kPoints> quarter_form_factors(const Hierarchy& hierarchy, cons
         factors.fill(form_factor_at(hierarchy, receiver, sender, receiver.center));
         return factors;
     }
-    const std::array<Vec3, 3> whole{receiver.corner[0], receiver.corner[1], receiver.corner[2]};
     const bool steep = sender.kind == NodeKind::kElement &&
                        length(receiver.center - sender.center) < 1.5F * (receiver.radius + sender.radius);
     for (int k = 0; k < kPoints; ++k) {
-        const std::array<Vec3, 3> quarter = quarter_of(whole, k);
+        const std::array<Vec3, 3> quarter = quarter_of(receiver.corner, k);
         if (!steep) {
             factors[k] = form_factor_at(hierarchy, receiver, sender, centroid(quarter));
             continue;
@@ -136,7 +124,7 @@ Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId r
         return link;
     }
     const ShadowRays pairs = make_shadow_rays(hierarchy, to, from, count, samples);
-    const Seen seen = trace_shadow_rays(tracer, pairs, count);
+    const Seen seen = trace_shadow_rays(tracer, pairs, count, hierarchy.faces().patches.reach);
     if (samples == SampleSet::kLink && seen.visibility > 0 && seen.visibility < 1) {
         find_occluders(tracer, pairs, seen, link);
     }
@@ -149,8 +137,14 @@ Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId r
         link.form_factor = 0.25F * (unoccluded[0] + unoccluded[1] + unoccluded[2] + unoccluded[3]);
         const float mean = 0.25F * (arriving[0] + arriving[1] + arriving[2] + arriving[3]);
         link.visibility = link.form_factor > 0 ? mean / link.form_factor : 0.0F;
-        link.shape_error = set_linear_shape(unoccluded, link) * link.visibility;
         const float arriving_error = set_linear_shape(arriving, link);
+        const Vec3 arriving_shape = link.shape;
+        link.shape_error = set_linear_shape(unoccluded, link) * link.visibility;
+        if (to.patch == kNone) {
+            link.shape = arriving_shape;
+        } else {  // shared out by exposure, which the rays saw too
+            link.near_share = from.kind == NodeKind::kSky ? 0.0F : seen.near_share;
+        }
         link.level_error = link.form_factor * seen.sampling_error;
         if (link.visibility < 1) {
             link.level_error += arriving_error;

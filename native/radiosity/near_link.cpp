@@ -53,7 +53,7 @@ void estimate_near(const Hierarchy& hierarchy, const RayTracer& tracer, const No
     std::array<Vec3, kMaxRays> normals;
     for (int k = 0; k < count; ++k) {
         const auto i = static_cast<std::uint32_t>(k);
-        FacePoint x = sample_face(hierarchy, receiver, sequence(i, 2), sequence(i, 0), sequence(i, 1));
+        FacePoint x = sample_face(hierarchy, receiver, Spread::kByArea, sequence(i, 2), sequence(i, 0), sequence(i, 1));
         if (sequence(i, 5) >= x.front) {
             x.normal = -x.normal;
         }

@@ -166,13 +166,10 @@ Decision decide(const Hierarchy& hierarchy, const Lighting& lighting, const RayT
     // Neighbours of small receivers average what noise remains.
     const bool small = 2 * receiver.radius < kDetail * settings.white.extent;
     const float most_rays = small ? 16.0F : 64.0F;
-    const int rays = static_cast<int>(std::clamp(std::ceil(2 * most / allowed), 4.0F, most_rays));
+    const int rays = static_cast<int>(std::clamp(std::ceil(2 * most / allowed), small ? 4.0F : 32.0F, most_rays));
     const Link judged = estimate_link(hierarchy, tracer, receiver_id, sender_id, rays, SampleSet::kJudge, nullptr);
     if (split != Verdict::kAccept && !still_good(hierarchy, lighting, judged, settings)) {
         return {split, {}};
-    }
-    if (!is_cluster(sender) && !is_cluster(receiver) && (judged.visibility == 0 || judged.visibility == 1)) {
-        return {Verdict::kAccept, judged};
     }
     Link link = estimate_link(hierarchy, tracer, receiver_id, sender_id, rays, SampleSet::kLink, &hits);
     link.shape_error = judged.shape_error;

@@ -12,14 +12,6 @@ namespace gg {
 
 namespace {
 
-// A point of quarter k of an element.
-Vec3 point_in_quarter(const Node& node, int k, float u, float v) {
-    const Vec3 w = square_to_triangle(u, v);
-    const Vec3* c = node.corner;
-    const Vec3 inner = w.x * c[0] + w.y * c[1] + w.z * c[2];
-    return k == 3 ? 0.5F * (c[0] + c[1] + c[2] - inner) : 0.5F * (c[k] + inner);
-}
-
 // Adds the ray from a receiver's face to a point or direction of the sender, unless they do not face each other.
 void add_pair(const Hierarchy& hierarchy, const FacePoint& x, const Node& sender, Vec3 uvw, int quarter,
               ShadowRays& out) {
@@ -36,7 +28,7 @@ void add_pair(const Hierarchy& hierarchy, const FacePoint& x, const Node& sender
         infinite = true;
         target = x.position + cell_direction(sky_cell_of(sender), v, w);
     } else {
-        const FacePoint y = sample_face(hierarchy, sender, u, v, w);
+        const FacePoint y = sample_face(hierarchy, sender, Spread::kByExposure, u, v, w);
         target = y.position;
         const FacingSide side = side_towards(y, x.position);
         target_normal = side.normal;
@@ -73,30 +65,38 @@ ShadowRays make_shadow_rays(const Hierarchy& hierarchy, const Node& receiver, co
         if (receiver.kind == NodeKind::kElement) {
             // Quarters share the points on the sender: what differs between them is then more than noise.
             const std::uint32_t j = i / kQuarters;
-            const Vec3 x = point_in_quarter(receiver, k % kQuarters, sequence(i, 0), sequence(i, 1));
+            const int quarter = k % kQuarters;
+            const Vec3 weights = square_to_triangle(sequence(i, 0), sequence(i, 1));
+            const auto corners = quarter_of(receiver.corner, quarter);
+            const Vec3 x = weights.x * corners[0] + weights.y * corners[1] + weights.z * corners[2];
             add_pair(hierarchy, {x, receiver.normal, 1, 0}, sender, {sequence(j, 5), sequence(j, 3), sequence(j, 4)},
-                     k % kQuarters, pairs);
+                     quarter, pairs);
         } else {
-            add_pair(hierarchy, sample_face(hierarchy, receiver, sequence(i, 2), sequence(i, 0), sequence(i, 1)),
-                     sender, {sequence(i, 5), sequence(i, 3), sequence(i, 4)}, 0, pairs);
+            add_pair(
+                hierarchy,
+                sample_face(hierarchy, receiver, Spread::kByArea, sequence(i, 2), sequence(i, 0), sequence(i, 1)),
+                sender, {sequence(i, 5), sequence(i, 3), sequence(i, 4)}, 0, pairs);
         }
     }
     return pairs;
 }
 
-Seen trace_shadow_rays(const RayTracer& tracer, const ShadowRays& pairs, int count) {
+Seen trace_shadow_rays(const RayTracer& tracer, const ShadowRays& pairs, int count, float reach) {
     Seen result;
     tracer.occluded(std::span<const Ray>(pairs.rays.data(), pairs.count),
                     std::span<std::uint8_t>(result.blocked.data(), pairs.count), RayMask::kLight,
                     Coherence::kIncoherent);
     std::array<float, kQuarters> seen{}, total{};
+    float near = 0;
     for (std::size_t i = 0; i < pairs.count; ++i) {
         total[pairs.quarters[i]] += pairs.weights[i];
         seen[pairs.quarters[i]] += result.blocked[i] ? 0.0F : pairs.weights[i];
+        near += result.blocked[i] || pairs.lengths[i] > reach ? 0.0F : pairs.weights[i];
     }
     const float all_seen = seen[0] + seen[1] + seen[2] + seen[3];
     const float all = total[0] + total[1] + total[2] + total[3];
     result.visibility = all > 0 ? all_seen / all : 0.0F;
+    result.near_share = all_seen > 0 ? near / all_seen : 0.0F;
     for (int k = 0; k < kQuarters; ++k) {
         result.quarters[k] = total[k] > 0 ? seen[k] / total[k] : result.visibility;
     }

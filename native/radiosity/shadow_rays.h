@@ -6,10 +6,9 @@
 
 #include "radiosity/link_estimate.h"
 #include "radiosity/near_link.h"
+#include "radiosity/quarter.h"
 
 namespace gg {
-
-inline constexpr int kQuarters = 4;  // of an element, numbered as in hierarchy.cpp
 
 // Rays between points of two nodes that face each other.
 struct ShadowRays {
@@ -24,6 +23,7 @@ struct ShadowRays {
 // What the shadow rays of a link saw, for the whole receiver and for the quarters of an element.
 struct Seen {
     float visibility = 0;
+    float near_share = 0;                          // of what arrives: over less than the reach of patches
     std::array<float, kQuarters> quarters{};
     float sampling_error = 0;                      // of visibility
     std::array<std::uint8_t, kMaxRays> blocked{};  // per ray
@@ -34,7 +34,7 @@ struct Seen {
                                           int count, SampleSet samples);
 
 // `count` as given to make_shadow_rays.
-[[nodiscard]] Seen trace_shadow_rays(const RayTracer& tracer, const ShadowRays& pairs, int count);
+[[nodiscard]] Seen trace_shadow_rays(const RayTracer& tracer, const ShadowRays& pairs, int count, float reach);
 
 // Sets where the link's occluders are, seen from the receiver.
 void find_occluders(const RayTracer& tracer, const ShadowRays& pairs, const Seen& seen, Link& link);

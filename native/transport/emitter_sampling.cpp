@@ -159,6 +159,23 @@ IrradianceVector flat_irradiance(const Lamp& lamp, Vec3 x) {
 
 }  // namespace
 
+Rgb lamp_irradiance(const Lamp& lamp, Vec3 x, Vec3 n) {
+    if (lamp.shape == LampShape::kSphere) {
+        const SphereView view = view_sphere(lamp, x);
+        const float factor = point_to_sphere(dot(n, view.axis), length(lamp.position - x) / lamp.radius);
+        return lamp.radiance * (kPi * factor * spot_factor(lamp, -dot(lamp.direction, view.axis)));
+    }
+    if (lamp.shape == LampShape::kRectangle || lamp.shape == LampShape::kEllipse) {
+        if (!(dot(x - lamp.position, lamp.direction) > 0)) {
+            return Rgb(0.0F);
+        }
+        const Outline shape = outline(lamp);
+        return lamp.radiance * (kPi * point_to_polygon<Vec3>(x, n, std::span(shape.corners.data(), shape.count)));
+    }
+    const IrradianceVector vector = lamp_irradiance_vector(lamp, x);
+    return vector.irradiance * std::max(0.0F, dot(n, vector.direction));
+}
+
 LampSample sample_lamp(const Lamp& lamp, Vec3 x, float u, float v) {
     switch (lamp.shape) {
         case LampShape::kPoint:

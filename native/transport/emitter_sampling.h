@@ -33,4 +33,8 @@ struct IrradianceVector {
 // rounding for rectangles; an ellipse counts as a 16-gon of its area.
 [[nodiscard]] IrradianceVector lamp_irradiance_vector(const Lamp& lamp, Vec3 x);
 
+// Irradiance [W/m2] of the unoccluded lamp at x on unit normal n, clipped against its horizon: also where part of the
+// lamp lies behind the receiver. Distant disks count as their middle; the rest as for the vector.
+[[nodiscard]] Rgb lamp_irradiance(const Lamp& lamp, Vec3 x, Vec3 n);
+
 }  // namespace gg

@@ -56,20 +56,22 @@ struct FaceScene {
     Hierarchy hierarchy;
 };
 
-// Instances by their area, faces of an instance by their exposed area.
-TEST(SampleFace, every_face_by_its_area) {
+class SampleFace : public ::testing::TestWithParam<Spread> {};
+
+TEST_P(SampleFace, takes_every_face_by_its_weight) {
     const FaceScene scene;
+    const bool by_exposure = GetParam() == Spread::kByExposure;
     const Node& root = scene.hierarchy[kGeometryRoot];
     std::vector<std::pair<std::uint32_t, std::uint32_t>> triangles;
     std::vector<double> weights;
-    double area[2] = {0, 0}, weight[2] = {0, 0};  // of an instance
+    double all = 0;
     scene.hierarchy.for_each_triangle(root, [&](std::uint32_t instance, std::uint32_t triangle) {
         const double face = length(world_area_vector(scene.prepared.scene, instance, triangle));
         const std::uint32_t mesh = scene.prepared.scene.instances[instance].mesh;
         triangles.emplace_back(instance, triangle);
-        weights.push_back(face * scene.hierarchy.faces().meshes[mesh].exposure[triangle].sum());
-        area[instance] += face;
-        weight[instance] += weights.back();
+        const Exposure& exposure = scene.hierarchy.faces().meshes[mesh].exposure[triangle];
+        weights.push_back(face * (by_exposure ? exposure.sum() : static_cast<float>(exposure.sides())));
+        all += weights.back();
     });
     ASSERT_EQ(triangles.size(), 50U + 240U);
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> counts;
@@ -77,7 +79,7 @@ TEST(SampleFace, every_face_by_its_area) {
     for (std::uint32_t i = 0; i < kSamples; ++i) {
         const float u = (static_cast<float>(i) + 0.5F) / kSamples;
         const FacePoint point =
-            sample_face(scene.hierarchy, root, u, unit_float(hash64(i, 0)), unit_float(hash64(i, 1)));
+            sample_face(scene.hierarchy, root, GetParam(), u, unit_float(hash64(i, 0)), unit_float(hash64(i, 1)));
         double nearest = 1e30;
         std::pair<std::uint32_t, std::uint32_t> face;
         for (const auto& [instance, triangle] : triangles) {
@@ -100,13 +102,13 @@ TEST(SampleFace, every_face_by_its_area) {
         ++counts[face];
     }
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const std::uint32_t instance = triangles[i].first;
-        const double of_instance = kSamples * area[instance] / (area[0] + area[1]);
-        EXPECT_NEAR(counts[triangles[i]], of_instance * weights[i] / weight[instance], 2) << i;
+        EXPECT_NEAR(counts[triangles[i]], kSamples * weights[i] / all, 2) << i;
     }
 }
 
-TEST(SampleFace, points_of_an_element_are_even) {
+INSTANTIATE_TEST_SUITE_P(spreads, SampleFace, ::testing::Values(Spread::kByArea, Spread::kByExposure));
+
+TEST(SampleElement, points_are_even) {
     Prepared prepared(furnace(0.5F, false));
     Hierarchy hierarchy(prepared.scene, *prepared.colors, prepared.faces());
     NodeId id = kGeometryRoot;
@@ -118,7 +120,7 @@ TEST(SampleFace, points_of_an_element_are_even) {
     Vec3 mean(0.0F);
     constexpr int kGrid = 64;
     for (int k = 0; k < kGrid * kGrid; ++k) {
-        const FacePoint point = sample_face(hierarchy, element, 0, (static_cast<float>(k % kGrid) + 0.5F) / kGrid,
+        const FacePoint point = sample_face(hierarchy, element, Spread::kByArea, 0, (static_cast<float>(k % kGrid) + 0.5F) / kGrid,
                                             (static_cast<float>(k / kGrid) + 0.5F) / kGrid);
         mean += point.position / static_cast<float>(kGrid * kGrid);
         EXPECT_EQ(point.normal, element.normal);

@@ -16,15 +16,15 @@ FacePoints::FacePoints(const Hierarchy& hierarchy, const Node& node) {
         const Vec3 area = world_area_vector(hierarchy.scene(), instance, triangle);
         const Sides sides = hierarchy.scene().sides_of(instance, triangle);
         if (sides != Sides::kBack) {
-            add(corners.data(), normalize_or_zero(area), length(area));
+            add(corners, normalize_or_zero(area), length(area));
         }
         if (sides != Sides::kFront) {
-            add(corners.data(), -normalize_or_zero(area), length(area));
+            add(corners, -normalize_or_zero(area), length(area));
         }
     });
 }
 
-void FacePoints::add(const Vec3* corners, Vec3 normal, double area) {
+void FacePoints::add(const std::array<Vec3, 3>& corners, Vec3 normal, double area) {
     faces_.push_back({{corners[0], corners[1], corners[2]}, normal});
     prefix_.push_back(prefix_.back() + area);
 }

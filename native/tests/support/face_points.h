@@ -1,6 +1,7 @@
 // Points even over the faces of a node, made without the solver's own sampling.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/vec.h"
@@ -27,7 +28,7 @@ class FacePoints {
         Vec3 corners[3];
         Vec3 normal;
     };
-    void add(const Vec3* corners, Vec3 normal, double area);
+    void add(const std::array<Vec3, 3>& corners, Vec3 normal, double area);
 
     std::vector<Face> faces_;
     std::vector<double> prefix_{0.0};

@@ -152,6 +152,21 @@ TEST(emitter_sampling, flat_lamps_shine_to_one_side) {
     }
 }
 
+// The horizon of a receiver beside or before a lamp cuts it.
+TEST(emitter_sampling, light_from_above_the_horizon_alone_counts) {
+    for (const Lamp& lamp : {sphere(0.8F), flat(LampShape::kRectangle), flat(LampShape::kEllipse), sphere(0.1F)}) {
+        for (const float tilt : {-0.3F, 0.0F, 0.4F}) {
+            const Vec3 forward = lamp.shape == LampShape::kSphere ? Vec3(0, 0, -1) : lamp.direction;
+            const Vec3 x = lamp.position + forward * 1.1F;
+            const Vec3 n = normalize_or_zero(cross(forward, Vec3(1, 0.3F, 0)) - tilt * forward);
+            const Rgb truth = sampled_irradiance(lamp, x, n, 400);
+            EXPECT_LE(length(lamp_irradiance(lamp, x, n) - truth), 4e-3F * length(truth) + 1e-4F) << tilt;
+        }
+    }
+    expect_close(lamp_irradiance(point(), kTarget, {0, 0, 1}), sampled_irradiance(point(), kTarget, {0, 0, 1}, 1), 1e-5F);
+    EXPECT_EQ(lamp_irradiance(point(), kTarget, {0, 0, -1}), Rgb(0));
+}
+
 // Receivers on, in and beside lamps: finite everywhere.
 TEST(emitter_sampling, touching_receivers_get_finite_light) {
     for (const Lamp& lamp : {sphere(1), flat(LampShape::kRectangle), flat(LampShape::kEllipse), point()}) {
