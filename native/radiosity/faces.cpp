@@ -26,7 +26,7 @@ MeshFaces make_mesh_faces(const Scene& scene, std::uint32_t instance, const RayT
     });
     MeshFaces faces;
     faces.tree = build_cluster_tree(boxes, kTrianglesPerLeaf, control);
-    faces.exposure = find_exposure(scene, instance, tracer, control);
+    faces.exposure = find_exposure(scene, instance, faces.tree, tracer, control);
     faces.rank.resize(boxes.size());
     for (auto* prefix : {&faces.area_prefix, &faces.exposed_prefix}) {
         prefix->resize(boxes.size() + 1);

@@ -49,19 +49,21 @@ void Lighting::grow(const Control& control) {
             near_.emplace_back(0.0F);
         }
     }
-    const auto first = static_cast<std::size_t>(facing_.size());
     facing_.resize(received_.size());
-    std::vector<NodeId> made(facing_.size() - first);
-    for (std::size_t id = old; id < nodes.size(); ++id) {
-        if (is_cluster(nodes[id])) {
-            made[slot_[id] - first] = static_cast<NodeId>(id);
+    control.check_cancel();
+}
+
+// Of clusters that receive.
+void Lighting::find_facing_areas(const Control& control) {
+    std::vector<NodeId> missing;
+    for (NodeId id = 0; id < hierarchy_.nodes().size(); ++id) {
+        const bool receives = leaf_slot_[id] != kNone || (id + 1 < link_begin_.size() && link_begin_[id] < link_begin_[id + 1]);
+        if (is_cluster(hierarchy_[id]) && receives && !(facing_[slot_[id]].area[0] > 0)) {
+            missing.push_back(id);
         }
     }
-    parallel_for(made.size(), 1, control, [&](std::size_t i) {
-        if (hierarchy_.has_geometry()) {
-            facing_[first + i] = facing_area(hierarchy_, nodes[made[i]]);
-        }
-    });
+    parallel_for(missing.size(), 1, control,
+                 [&](std::size_t i) { facing_[slot_[missing[i]]] = facing_area(hierarchy_, hierarchy_[missing[i]]); });
 }
 
 void Lighting::set_links(Links& links, const Control& control) {
@@ -153,7 +155,12 @@ Rgb Lighting::radiosity_at(const NearHit& hit) const {
     const SceneFaces& faces = hierarchy_.faces();
     const FaceColors& colors = faces.colors[faces.instance_colors[hit.instance]];
     const Vec3 front = normalize_or_zero(world_area_vector(hierarchy_.scene(), hit.instance, hit.triangle));
-    const Exposure& exposure = faces.meshes[hierarchy_.scene().instances[hit.instance].mesh].exposure[hit.triangle];
+    Exposure exposure = faces.meshes[hierarchy_.scene().instances[hit.instance].mesh].exposure[hit.triangle];
+    // One of few rays may hit a face that has far more light than its cluster: as often as not too often.
+    constexpr float kMost = 4;
+    const float most = kMost * facing_[slot_[hit.leaf]].exposed[0] / std::max(facing_[slot_[hit.leaf]].area[0], 1e-30F);
+    exposure.front = std::min(exposure.front, most);
+    exposure.back = std::min(exposure.back, most);
     const Rgb irradiance = on_face(shining_[slot_[hit.leaf]], exposure, hit.back, hit.back ? -front : front);
     const Rgb emission = colors.emission.empty() ? Rgb(0.0F) : colors.emission[hit.triangle];
     return kPi * emission + colors.reflectance[hit.triangle] * irradiance;
@@ -174,9 +181,10 @@ void Lighting::gather_near(const Link& link, DirectionalForm& form, std::array<R
         corner += mean;
     }
     form.coefficients[0] += mean;
-    // No face gets less than nothing.
+    // No face gets next to nothing, whatever few rays say: what all get is then well-conditioned to share out.
     const Rgb size = glm::sqrt(lean[0] * lean[0] + lean[1] * lean[1] + lean[2] * lean[2]);
-    const Rgb scale = glm::min(Rgb(1.0F), mean / glm::max(size, Rgb(1e-30F)));
+    constexpr float kMostLean = 0.5F;
+    const Rgb scale = glm::min(Rgb(1.0F), kMostLean * mean / glm::max(size, Rgb(1e-30F)));
     for (int k = 0; k < 3; ++k) {
         form.coefficients[1 + k] += scale * lean[k];
     }
@@ -352,6 +360,7 @@ double Lighting::iterate(const Control& control) {
         return 0;
     }
     make_leaf_clusters(control);
+    find_facing_areas(control);
     shining_ = received_;
     const auto generations = hierarchy_.generations();
     const auto count = hierarchy_.nodes().size();

@@ -51,6 +51,7 @@ class Lighting {
 
   private:
     void make_leaf_clusters(const Control& control);
+    void find_facing_areas(const Control& control);
     void gather(NodeId receiver);
     [[nodiscard]] Rgb radiosity_at(const NearHit& hit) const;
     void gather_near(const Link& link, DirectionalForm& form, std::array<Rgb, 3>& corners) const;

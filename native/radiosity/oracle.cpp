@@ -20,6 +20,7 @@ constexpr float kInsignificant = 0.1F;  // share of the tolerance below which fo
 constexpr float kDarkest = 0.01F;       // irradiance below this share of the white tolerates no less
 constexpr float kLeastReflectance = 0.05F;
 constexpr float kLeastContrast = 0.1F;  // of a sender to its surroundings that is always counted
+constexpr float kLeastExposed = 0.1F;
 constexpr float kShown = 0.5F;          // share of a cluster's area, both sides, that may face a receiver
 constexpr float kHotSpots = 3;          // how much brighter than its mean a cluster may be that has emitting faces
 
@@ -59,9 +60,13 @@ float strength(const Node& sender, float radiosity) {
     return is_cluster(sender) && luminance(sender.emission) > 0 ? kHotSpots * radiosity : radiosity;
 }
 
-// Turns a link's form factor into one that multiplies the mean radiosity.
+// Turns a link's form factor into one that multiplies the mean radiosity. What rays of near links meet are exposed
+// faces, which have nearly all the light.
 float surface_shown(const Node& sender, bool near) {
-    return is_cluster(sender) && !near ? kShown * sender.area : 1.0F;
+    if (!is_cluster(sender)) {
+        return 1;
+    }
+    return near ? 1 / std::max(sender.exposure, kLeastExposed) : kShown * sender.area;
 }
 
 // A large cluster of large faces, or that has some of its own, such as a wall of two triangles: no directional form
@@ -167,7 +172,10 @@ Decision decide(const Hierarchy& hierarchy, const Lighting& lighting, const RayT
     const bool small = 2 * receiver.radius < kDetail * settings.white.extent;
     const float most_rays = small ? 16.0F : 64.0F;
     const int rays = static_cast<int>(std::clamp(std::ceil(2 * most / allowed), small ? 4.0F : 32.0F, most_rays));
-    const Link judged = estimate_link(hierarchy, tracer, receiver_id, sender_id, rays, SampleSet::kJudge, nullptr);
+    // Shadows of lamps are worth looking at on smaller receivers, with fewer rays for each.
+    const int first_rays = sender.kind == NodeKind::kLamp ? std::max(rays / 2, 4) : rays;
+    const Link judged =
+        estimate_link(hierarchy, tracer, receiver_id, sender_id, first_rays, SampleSet::kJudge, nullptr);
     if (split != Verdict::kAccept && !still_good(hierarchy, lighting, judged, settings)) {
         return {split, {}};
     }

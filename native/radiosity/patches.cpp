@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 
 #include "core/parallel.h"
 #include "core/random.h"
@@ -19,11 +21,12 @@ using Corners3 = std::array<Vec3, 3>;
 constexpr float kLargeFace = 4;   // smallest face that is looked at, in details
 constexpr float kFirstPatch = 4;  // largest patch that is not split unseen, in details
 constexpr float kReach = 8;       // of a ray, in details
-constexpr std::uint32_t kRays = 32;
+constexpr std::uint32_t kRays = 24;      // to see whether some part may be covered
+constexpr std::uint32_t kMostRays = 64;  // to measure by how much
 constexpr int kMostLevels = 10;
 // A patch from which no more than the first share of its hemispheres is open is covered, from the second on it is
 // exposed: a floor's edge between two walls must be.
-constexpr float kCovered = 0.02F, kExposed = 0.2F;
+constexpr float kCovered = 0.02F, kExposed = 0.25F;
 constexpr float kSame = 0.1F;  // difference of exposure below which patches are one
 
 float longest_edge(const Corners3& c) {
@@ -42,30 +45,44 @@ class PatchBuilder {
     }
 
   private:
-    // Share of the hemispheres above a patch in which nothing is near.
-    float open_share(const Corners3& c, std::uint64_t seed) const {
-        const Sequence4 sequence(seed);
-        std::array<Ray, kRays> rays;
-        std::array<std::uint8_t, kRays> blocked{};
+    // How many of the rays [first, last) from each quarter of the patch get away; both multiples of four.
+    std::array<int, kQuarters> open_rays(const Corners3& patch, const Sequence4& sequence, std::uint32_t first,
+                                         std::uint32_t last) const {
+        std::array<Ray, kMostRays> rays;
+        std::array<std::uint8_t, kMostRays> blocked{};
         const float reach = kReach * detail_;
-        for (std::uint32_t k = 0; k < kRays; ++k) {
+        for (std::uint32_t k = first; k < last; ++k) {
+            const Corners3 c = quarter_of(patch, static_cast<int>(k % kQuarters));
             const Vec3 w = square_to_triangle(sequence(k, 0), sequence(k, 1));
             const Vec2 disk = square_to_disk(sequence(k, 2), sequence(k, 3));
             const float z = std::sqrt(std::max(0.0F, 1 - dot(disk, disk)));
-            rays[k] = {offset_origin(w.x * c[0] + w.y * c[1] + w.z * c[2], normal_, reach),
+            rays[k - first] = {offset_origin(w.x * c[0] + w.y * c[1] + w.z * c[2], normal_, reach),
                        frame_.to_world({disk.x, disk.y, z}), 0, reach};
         }
-        tracer_.occluded(rays, blocked, RayMask::kLight, Coherence::kIncoherent);
-        return 1 - static_cast<float>(std::count(blocked.begin(), blocked.end(), 1)) / kRays;
+        const std::size_t count = last - first;
+        tracer_.occluded(std::span<const Ray>(rays.data(), count), std::span<std::uint8_t>(blocked.data(), count),
+                         RayMask::kLight, Coherence::kIncoherent);
+        std::array<int, kQuarters> open{};
+        for (std::size_t k = 0; k < count; ++k) {
+            open[k % kQuarters] += blocked[k] ? 0 : 1;
+        }
+        return open;
     }
 
     void fill(std::size_t patch, const Corners3& c, std::uint64_t seed, int level) {
         const float size = longest_edge(c);
         if (size <= kFirstPatch * detail_ || level == kMostLevels) {
-            const float open = open_share(c, seed);
-            const float exposed = std::clamp((open - kCovered) / (kExposed - kCovered), 0.0F, 1.0F);
-            if (open == 0 || open == 1 || size <= detail_ || level == kMostLevels) {
-                patches_[patch].exposure = exposed;
+            const Sequence4 sequence(seed);
+            const std::array<int, kQuarters> open = open_rays(c, sequence, 0, kRays);
+            const auto [least, most] = std::minmax_element(open.begin(), open.end());
+            if (*least > 0) {  // no part of it is covered
+                return;
+            }
+            if (size <= detail_ || level == kMostLevels || *most == 0) {
+                const std::array<int, kQuarters> more = open_rays(c, sequence, kRays, kMostRays);
+                const int all = std::accumulate(open.begin(), open.end(), std::accumulate(more.begin(), more.end(), 0));
+                const float share = static_cast<float>(all) / kMostRays;
+                patches_[patch].exposure = std::clamp((share - kCovered) / (kExposed - kCovered), 0.0F, 1.0F);
                 return;
             }
         }

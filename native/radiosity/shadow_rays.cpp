@@ -85,7 +85,7 @@ Seen trace_shadow_rays(const RayTracer& tracer, const ShadowRays& pairs, int cou
     Seen result;
     tracer.occluded(std::span<const Ray>(pairs.rays.data(), pairs.count),
                     std::span<std::uint8_t>(result.blocked.data(), pairs.count), RayMask::kLight,
-                    Coherence::kIncoherent);
+                    Coherence::kCoherent);
     std::array<float, kQuarters> seen{}, total{};
     float near = 0;
     for (std::size_t i = 0; i < pairs.count; ++i) {
