@@ -10,6 +10,7 @@
 #include "radiosity/near_link.h"
 #include "radiosity/quarter.h"
 #include "radiosity/shadow_rays.h"
+#include "transport/form_factor.h"
 
 namespace gg {
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr int kPoints = kQuarters;  // of an element, at which form factors are evaluated
 constexpr int kClusterPoints = 16;
+constexpr float kFarSmaller = 0.25F;  // area of a sender as a share of the receiver's
 
 Vec3 centroid(const std::array<Vec3, 3>& c) {
     return (c[0] + c[1] + c[2]) / 3.0F;
@@ -34,6 +36,23 @@ std::array<Vec3, kClusterPoints> cluster_points(const Hierarchy& hierarchy, cons
     return points;
 }
 
+// The same by reciprocity, A_r F_rs = A_s F_sr, from points of a sender that is far smaller: it may lie so close that the
+// receiver's few points all miss its light.
+std::array<float, kPoints> quarter_form_factors_of_small(const Node& receiver, const Node& sender) {
+    std::array<float, kPoints> factors{};
+    for (int i = 0; i < kPoints; ++i) {
+        const Vec3 y = centroid(quarter_of(sender.corner, i));
+        if (!in_front(y, receiver)) {
+            continue;
+        }
+        for (int k = 0; k < kPoints; ++k) {
+            const std::array<Vec3, 3> c = quarter_of(receiver.corner, k);
+            factors[k] += sender.area / receiver.area * point_to_triangle(y, sender.normal, c[0], c[1], c[2]);
+        }
+    }
+    return factors;
+}
+
 // Mean form factors of an element's quarters, at their centroids: the same points for every sender, so that the form
 // factors of senders that together cover a hemisphere sum to exactly one. Next to the sender form factors are steep,
 // and one point misses much of what falls near a common edge: there every quarter has four.
@@ -42,6 +61,9 @@ std::array<float, kPoints> quarter_form_factors(const Hierarchy& hierarchy, cons
     if (sender.kind == NodeKind::kSky) {  // the same everywhere
         factors.fill(form_factor_at(hierarchy, receiver, sender, receiver.center));
         return factors;
+    }
+    if (sender.kind == NodeKind::kElement && sender.area < kFarSmaller * receiver.area) {
+        return quarter_form_factors_of_small(receiver, sender);
     }
     const bool steep = sender.kind == NodeKind::kElement &&
                        length(receiver.center - sender.center) < 1.5F * (receiver.radius + sender.radius);

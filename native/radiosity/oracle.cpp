@@ -1,6 +1,7 @@
 #include "radiosity/oracle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "radiosity/link_estimate.h"
@@ -21,16 +22,38 @@ constexpr float kDarkest = 0.01F;       // irradiance below this share of the wh
 constexpr float kLeastReflectance = 0.05F;
 constexpr float kLeastContrast = 0.1F;  // of a sender to its surroundings that is always counted
 constexpr float kLeastExposed = 0.1F;
+constexpr float kLocal = 0.5F;        // size and distance of senders, as shares of the receiver's, that are looked at closely
+constexpr float kLocalFactor = 0.25F; // form factor where such a sender stands
 constexpr float kShown = 0.5F;          // share of a cluster's area, both sides, that may face a receiver
 constexpr float kHotSpots = 3;          // how much brighter than its mean a cluster may be that has emitting faces
+
+// Within the triangle's prism to its plane, else to its edges.
+float distance_to_triangle(Vec3 p, const std::array<Vec3, 3>& c) {
+    const Vec3 ab = c[1] - c[0], ac = c[2] - c[0], ap = p - c[0], bp = p - c[1], cp = p - c[2];
+    const float d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp), d6 = dot(ac, cp);
+    const float va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
+    const auto to_segment = [&](Vec3 a, Vec3 b) {
+        const Vec3 along = b - a;
+        const float t = std::clamp(dot(p - a, along) / std::max(length_squared(along), 1e-30F), 0.0F, 1.0F);
+        return length(p - a - t * along);
+    };
+    if (va > 0 && vb > 0 && vc > 0) {
+        const float sum = va + vb + vc;
+        return length(p - (va * c[0] + vb * c[1] + vc * c[2]) / sum);
+    }
+    return std::min({to_segment(c[0], c[1]), to_segment(c[1], c[2]), to_segment(c[2], c[0])});
+}
+
+// How many times smaller than what counts in full, >= 1.
+float small_size(float radius, const RefineSettings& settings) {
+    return std::max(1.0F, kDetail * settings.white.extent / std::max(2 * radius, 1e-12F));
+}
 
 // Error that may be made in the radiosity of a receiver [W/m2]: an equal step in the square root of irradiance, which
 // is about an equal step in display code, so that dim rooms are solved as well as bright ones.
 float allowed_error(const Node& receiver, float irradiance, const RefineSettings& settings) {  // W/m2
     const float white = settings.white.irradiance;
-    const float detail = kDetail * settings.white.extent;
-    const float size = std::max(2 * receiver.radius, 1e-12F);
-    const float small = std::max(1.0F, detail / size);
+    const float small = small_size(receiver.radius, settings);
     return settings.tolerance * std::sqrt(white * std::max(irradiance, kDarkest * white)) * small * small;
 }
 
@@ -60,13 +83,18 @@ float strength(const Node& sender, float radiosity) {
     return is_cluster(sender) && luminance(sender.emission) > 0 ? kHotSpots * radiosity : radiosity;
 }
 
+// How much brighter than its mean are those faces of a cluster that are exposed.
+float exposed_share(const Node& sender) {
+    return is_cluster(sender) ? 1 / std::max(sender.exposure, kLeastExposed) : 1.0F;
+}
+
 // Turns a link's form factor into one that multiplies the mean radiosity. What rays of near links meet are exposed
 // faces, which have nearly all the light.
 float surface_shown(const Node& sender, bool near) {
     if (!is_cluster(sender)) {
         return 1;
     }
-    return near ? 1 / std::max(sender.exposure, kLeastExposed) : kShown * sender.area;
+    return near ? exposed_share(sender) : kShown * sender.area;
 }
 
 // A large cluster of large faces, or that has some of its own, such as a wall of two triangles: no directional form
@@ -95,6 +123,23 @@ float uneven_share(const Node& receiver, const Node& sender, const Link& link) {
     constexpr float kNearer = 0.3F;
     const float size = std::min(1.0F, sender.radius / std::max(length(receiver.center - sender.center), 1e-12F));
     return link.form_factor * (std::sqrt(link.visibility * (1 - link.visibility)) + kNearer * size * link.visibility);
+}
+
+// A small sender close to a large receiver brings next to nothing in the mean, and much to the place where it stands.
+// Form factor there, times what may be wrong on all of the receiver over what may be wrong on a receiver of that place's
+// size.
+float local_share(const Node& receiver, const Node& sender, const RefineSettings& settings) {
+    if (receiver.kind != NodeKind::kElement || !is_surface(sender) || sender.radius > kLocal * receiver.radius) {
+        return 0;
+    }
+    const float distance = distance_to_triangle(sender.center, receiver.corner);
+    const float place = distance + sender.radius;
+    if (place > kLocal * receiver.radius) {
+        return 0;
+    }
+    const float factor = sender.radius * sender.radius / (place * place);
+    const float scale = small_size(receiver.radius, settings) / small_size(place, settings);
+    return kLocalFactor * factor * scale * scale;
 }
 
 Verdict side_to_split(const Node& receiver, const Node& sender, const RefineSettings& settings) {
@@ -131,9 +176,11 @@ bool still_good(const Hierarchy& hierarchy, const Lighting& lighting, const Link
     const float surroundings =
         link.near || !is_cluster(sender) ? 2 * irradiance : 2 * irradiance * surface_shown(sender, false);
     const float standing_out = std::max(sent - surroundings, kLeastContrast * sent);
+    const float peak = link.visibility > 0 ? local_share(receiver, sender, settings) : 0.0F;
     const float uneven =
         lighting.spread(link.sender) * surface_shown(sender, link.near) * uneven_share(receiver, sender, link);
-    return reflectance * (standing_out * link.shape_error + sent * link.level_error + uneven) <=
+    return reflectance * (standing_out * link.shape_error + sent * link.level_error + uneven +
+                          light * exposed_share(sender) * peak) <=
            allowed_error(receiver, irradiance, settings);
 }
 
