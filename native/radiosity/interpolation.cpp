@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "gridgather.h"
+#include "radiosity/quarter.h"
 #include "radiosity/t_vertices.h"
 
 namespace gg {
@@ -173,30 +174,6 @@ std::vector<InstanceParts> parts_of_instances(const Hierarchy& hierarchy) {
         }
     }
     return parts;
-}
-
-int quarter_at(Vec2 place) {
-    if (place.x >= 0.5F) {
-        return 1;
-    }
-    if (place.y >= 0.5F) {
-        return 2;
-    }
-    return place.x + place.y <= 0.5F ? 0 : 3;
-}
-
-// The same point in the quarter's own coordinates.
-Vec2 place_in_quarter(Vec2 place, int quarter) {
-    switch (quarter) {
-        case 0:
-            return 2.0F * place;
-        case 1:
-            return {2 * place.x - 1, 2 * place.y};
-        case 2:
-            return {2 * place.x, 2 * place.y - 1};
-        default:
-            return {1 - 2 * place.x, 1 - 2 * place.y};
-    }
 }
 
 Rgb blend(const std::vector<Rgb>& values, const Corners& vertices, Vec2 place) {

@@ -66,7 +66,31 @@ void Lighting::find_facing_areas(const Control& control) {
                  [&](std::size_t i) { facing_[slot_[missing[i]]] = facing_area(hierarchy_, hierarchy_[missing[i]]); });
 }
 
+// What is brighter for one receiver is darker for another: all that an object's elements send stays the same. Few samples
+// see too much of a bright middle, and that would add up over the reflections.
+void Lighting::balance_brightness(Links& links) const {
+    const auto& nodes = hierarchy_.nodes();
+    std::vector<double> even(hierarchy_.scene().instances.size()), uneven(even.size());
+    for (const Link& link : links.all) {
+        const Node& from = nodes[link.sender];
+        if (from.kind == NodeKind::kElement) {
+            const double facing = nodes[link.receiver].kind == NodeKind::kElement ? 1 : 0.25;
+            const double power = facing * nodes[link.receiver].area * link.form_factor * link.visibility *
+                                 luminance(radiosity_[link.sender]);
+            even[from.instance] += power;
+            uneven[from.instance] += power * link.brightness;
+        }
+    }
+    for (Link& link : links.all) {
+        const Node& from = nodes[link.sender];
+        if (from.kind == NodeKind::kElement && uneven[from.instance] > 0) {
+            link.brightness *= static_cast<float>(std::sqrt(even[from.instance] / uneven[from.instance]));
+        }
+    }
+}
+
 void Lighting::set_links(Links& links, const Control& control) {
+    balance_brightness(links);
     links_ = links.all;
     hits_ = links.hits;
     link_begin_.assign(hierarchy_.nodes().size() + 1, 0);
@@ -145,6 +169,30 @@ Rgb Lighting::irradiance_of_face(NodeId cluster, const Exposure& exposure, bool 
     return on_face(received_[slot_[cluster]], exposure, back, normal);
 }
 
+PlaceOnElement Lighting::at(NodeId element, Vec3 point) const {
+    const auto& nodes = hierarchy_.nodes();
+    const auto& c = nodes[element].corner;
+    const Vec3 e1 = c[1] - c[0], e2 = c[2] - c[0], d = point - c[0];
+    const Vec3 normal = cross(e1, e2);
+    const float scale = 1 / std::max(length_squared(normal), 1e-30F);
+    Vec2 place = scale * Vec2(dot(cross(d, e2), normal), dot(cross(e1, d), normal));
+    PlaceOnElement result;
+    NodeId id = element;
+    while (nodes[id].child_count > 0) {
+        const int quarter = quarter_at(place);
+        place = place_in_quarter(place, quarter);
+        const NodeId child = nodes[id].first_child + quarter;
+        if (nodes[id].patch != kNone && nodes[child].patch == kNone) {
+            result.exposure = nodes[child].weight;
+        }
+        id = child;
+    }
+    const std::array<Rgb, 3>& corners = corners_[slot_[id]];
+    const Rgb irradiance = (1 - place.x - place.y) * corners[0] + place.x * corners[1] + place.y * corners[2];
+    result.radiosity = luminance(nodes[id].emission + nodes[id].reflectance * glm::max(irradiance, Rgb(0.0F)));
+    return result;
+}
+
 Rgb Lighting::radiosity_at(const NearHit& hit) const {
     if (hit.leaf == kNone) {
         return Rgb(0.0F);
@@ -167,14 +215,14 @@ Rgb Lighting::radiosity_at(const NearHit& hit) const {
 }
 
 void Lighting::gather_near(const Link& link, DirectionalForm& form, std::array<Rgb, 3>& corners) const {
-    const float share = 1.0F / static_cast<float>(link.ray_count);
+    const float share = dimming_ / static_cast<float>(link.ray_count);
     Rgb mean(0.0F);
     std::array<Rgb, 3> lean{};
     for (const NearHit& hit : hits_.subspan(link.first_hit, link.hit_count)) {
         const Rgb radiosity = radiosity_at(hit);
         mean += share * radiosity;
         for (int k = 0; k < 3; ++k) {
-            lean[k] += hit.lean[k] * radiosity;
+            lean[k] += dimming_ * hit.lean[k] * radiosity;
         }
     }
     for (Rgb& corner : corners) {
@@ -208,11 +256,13 @@ void Lighting::gather(NodeId receiver) {
             continue;
         }
         Rgb arriving;
-        if (is_cluster(from)) {
-            const Vec3 towards = normalize_or_zero(to.center - from.center);
-            arriving = kPi * factor * evaluate_clamped(intensity_[slot_[link.sender]], towards);
-        } else {
+        if (!is_surface(from)) {
             arriving = factor * radiosity_[link.sender];
+        } else if (is_cluster(from)) {
+            const Vec3 towards = normalize_or_zero(to.center - from.center);
+            arriving = dimming_ * kPi * factor * evaluate_clamped(intensity_[slot_[link.sender]], towards);
+        } else {
+            arriving = dimming_ * factor * link.brightness * radiosity_[link.sender];
         }
         if (to.kind == NodeKind::kElement) {
             for (int k = 0; k < 3; ++k) {
@@ -283,7 +333,12 @@ void Lighting::pull(NodeId id) {
     if (node.child_count == 0) {
         if (node.kind == NodeKind::kElement) {
             radiosity_[id] = node.emission + node.reflectance * irradiance_[id];
-            spread_[id] = 0;
+            float squares = 0;  // of a linear function over a triangle: the variance is their sum over 12
+            for (const Rgb& corner : corners_[slot_[id]]) {
+                const float difference = luminance(node.reflectance * (corner - irradiance_[id]));
+                squares += difference * difference;
+            }
+            spread_[id] = std::sqrt(squares / 12);
             return;
         }
         const LeafCluster& leaf = leaves_[leaf_slot_[id]];
@@ -353,6 +408,23 @@ void Lighting::clear(const Control& control) {
         pull(id);
     }
     reflected_power_ = 0;
+}
+
+int Lighting::settle(int most, double converged, const Control& control) {
+    constexpr int kPatience = 10;  // iterations until steps must shrink
+    constexpr float kDimming = 0.9F;
+    double before = kInfinity;
+    for (int count = 1; count <= most; ++count) {
+        const double step = iterate(control);
+        if (step <= converged) {
+            return count;
+        }
+        if (count > kPatience && !(step < before)) {
+            dimming_ *= kDimming;
+        }
+        before = step;
+    }
+    return most;
 }
 
 double Lighting::iterate(const Control& control) {

@@ -15,6 +15,12 @@ namespace gg {
 
 class Control;
 
+// A point of an element.
+struct PlaceOnElement {
+    float radiosity = 0;  // luminance, W/m2
+    float exposure = 1;   // of its patch
+};
+
 class Lighting {
   public:
     explicit Lighting(const Hierarchy& hierarchy);
@@ -34,6 +40,10 @@ class Lighting {
     // total reflected power over the power [0..].
     double iterate(const Control& control);
 
+    // Iterates until a step is at most `converged`, at most `most` times; returns how often. Sampled links may send on a
+    // little more than they get. Where steps do not shrink, all light between surfaces is dimmed until they do.
+    int settle(int most, double converged, const Control& control);
+
     // Means over the node's faces, W/m2. Lamps and sky have their emission as radiosity.
     [[nodiscard]] Rgb radiosity(NodeId id) const { return radiosity_[id]; }
     [[nodiscard]] Rgb irradiance(NodeId id) const { return irradiance_[id]; }
@@ -41,6 +51,8 @@ class Lighting {
     [[nodiscard]] float spread(NodeId id) const { return spread_[id]; }
     // Irradiance at an element's corners, linear in between, >= 0.
     [[nodiscard]] const std::array<Rgb, 3>& corner_irradiance(NodeId element) const { return corners_[slot_[element]]; }
+    // The light at a point of an element, as finely as it is known.
+    [[nodiscard]] PlaceOnElement at(NodeId element, Vec3 point) const;
     // All that arrives at a cluster's face with this exposure on one side; unit normal of that side.
     [[nodiscard]] Rgb irradiance_of_face(NodeId cluster, const Exposure& exposure, bool back, Vec3 normal) const;
     [[nodiscard]] const DirectionalForm& intensity(NodeId cluster) const { return intensity_[slot_[cluster]]; }
@@ -50,6 +62,7 @@ class Lighting {
     [[nodiscard]] std::size_t bytes() const;
 
   private:
+    void balance_brightness(Links& links) const;
     void make_leaf_clusters(const Control& control);
     void find_facing_areas(const Control& control);
     void gather(NodeId receiver);
@@ -81,6 +94,7 @@ class Lighting {
     std::span<const NearHit> hits_;
     std::vector<std::uint32_t> link_order_, link_begin_;
     double reflected_power_ = 0;
+    float dimming_ = 1;  // of light between surfaces
 };
 
 }  // namespace gg

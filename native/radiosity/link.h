@@ -9,7 +9,7 @@
 
 namespace gg {
 
-// Irradiance [W/m2] that arrives: B form_factor visibility for a sender with one radiosity B; a cluster has pi J(w) in
+// Irradiance [W/m2] that arrives: B form_factor visibility brightness for a sender with one radiosity B; a cluster has pi J(w) in
 // place of B, J its intensity [W/sr] in direction w towards the receiver. At an element the receiver's cosine is in the
 // form factor; at a cluster it is not, the form factor is a solid angle over pi.
 //
@@ -23,6 +23,7 @@ struct Link {
     Vec3 shape{0.0F};
     float form_factor = 0;  // unoccluded; times m2 for clusters; of near links: share of the rays that hit
     float visibility = 0;   // 0..1
+    float brightness = 1;   // of what the receiver sees of the sender, over the sender's mean
     float near_share = 0;   // of what arrives: from closer than what the receiver's patches looked for
     // Errors of form_factor * visibility, same unit: of its course over the receiver, which the other links of the
     // receiver make up for in part, and of its level, which nothing makes up for.

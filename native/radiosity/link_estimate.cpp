@@ -36,6 +36,11 @@ std::array<Vec3, kClusterPoints> cluster_points(const Hierarchy& hierarchy, cons
     return points;
 }
 
+// Whether form factors between points of two elements differ by much.
+bool are_close(const Node& a, const Node& b) {
+    return length(a.center - b.center) < 1.5F * (a.radius + b.radius);
+}
+
 // The same by reciprocity, A_r F_rs = A_s F_sr, from points of a sender that is far smaller: it may lie so close that the
 // receiver's few points all miss its light.
 std::array<float, kPoints> quarter_form_factors_of_small(const Node& receiver, const Node& sender) {
@@ -65,8 +70,7 @@ std::array<float, kPoints> quarter_form_factors(const Hierarchy& hierarchy, cons
     if (sender.kind == NodeKind::kElement && sender.area < kFarSmaller * receiver.area) {
         return quarter_form_factors_of_small(receiver, sender);
     }
-    const bool steep = sender.kind == NodeKind::kElement &&
-                       length(receiver.center - sender.center) < 1.5F * (receiver.radius + sender.radius);
+    const bool steep = sender.kind == NodeKind::kElement && are_close(receiver, sender);
     for (int k = 0; k < kPoints; ++k) {
         const std::array<Vec3, 3> quarter = quarter_of(receiver.corner, k);
         if (!steep) {
@@ -131,10 +135,61 @@ float far_field_error(const Node& receiver, const Node& sender) {
     return 0.5F * ratio * ratio;
 }
 
+constexpr float kMostBrightness = 3;
+
+bool is_uneven(const Lighting& lighting, NodeId element) {
+    constexpr float kEven = 0.05F;  // spread over the mean
+    return lighting.spread(element) > kEven * luminance(lighting.radiosity(element));
+}
+
+// How much brighter than the mean of an element what is seen of it is, by the rays. Hidden points are weighed against
+// seen ones: that nearer ones count for more is left to brightness_of_nearer_parts, few rays would get it wrong to one
+// side.
+float brightness_of_seen_parts(const Lighting& lighting, NodeId sender, const ShadowRays& pairs, const Seen& seen) {
+    double weights = 0, brightness = 0, seen_weights = 0, seen_brightness = 0;
+    for (std::size_t i = 0; i < pairs.count; ++i) {
+        const double weight = pairs.weights[i];
+        const double sent = weight * lighting.at(sender, pairs.targets[i]).radiosity;
+        weights += weight;
+        brightness += sent;
+        seen_weights += seen.blocked[i] ? 0 : weight;
+        seen_brightness += seen.blocked[i] ? 0 : sent;
+    }
+    const bool some = seen_weights > 0 && brightness > 0;
+    return some ? static_cast<float>(seen_brightness / seen_weights * (weights / brightness)) : 1.0F;
+}
+
+// The same of an unoccluded element for its parts, which lie nearer to the receiver and farther.
+float brightness_of_nearer_parts(const Lighting& lighting, const Node& receiver, NodeId sender, const Node& from) {
+    const bool close = receiver.kind == NodeKind::kElement && are_close(receiver, from);
+    const int parts = close ? kPoints * kPoints : kPoints;
+    float sum = 0, weights = 0, all = 0;
+    for (int i = 0; i < parts; ++i) {
+        const std::array<Vec3, 3> quarter = quarter_of(from.corner, i % kPoints);
+        const std::array<Vec3, 3> part = close ? quarter_of(quarter, i / kPoints) : quarter;
+        const Vec3 y = centroid(part);
+        const float brightness = lighting.at(sender, y).radiosity;
+        all += brightness;
+        for (int k = 0; k < (close ? kPoints : 1); ++k) {
+            const Vec3 x = close ? centroid(quarter_of(receiver.corner, k)) : receiver.center;
+            const Vec3 d = x - y;
+            if (!in_front(x, from)) {
+                continue;
+            }
+            const float towards = receiver.kind == NodeKind::kElement ? std::max(0.0F, -dot(d, receiver.normal)) : length(d);
+            const float factor = close ? point_to_triangle(x, receiver.normal, part[0], part[1], part[2])
+                                       : towards * dot(d, from.normal) / (length_squared(d) * length_squared(d));
+            weights += factor;
+            sum += factor * brightness;
+        }
+    }
+    return weights > 0 && all > 0 ? sum / weights * (static_cast<float>(parts) / all) : 1.0F;
+}
+
 }  // namespace
 
 Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId receiver, NodeId sender, int rays,
-                   SampleSet samples, NearHits* hits) {
+                   SampleSet samples, NearHits* hits, const Lighting* lighting) {
     const Node& to = hierarchy[receiver];
     const Node& from = hierarchy[sender];
     const int count = std::clamp(rays, 4, kMaxRays);
@@ -149,6 +204,11 @@ Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId r
     const Seen seen = trace_shadow_rays(tracer, pairs, count, hierarchy.faces().patches.reach);
     if (samples == SampleSet::kLink && seen.visibility > 0 && seen.visibility < 1) {
         find_occluders(tracer, pairs, seen, link);
+    }
+    if (lighting && from.kind == NodeKind::kElement && from.patch == kNone && is_uneven(*lighting, sender)) {
+        const float brightness = brightness_of_nearer_parts(*lighting, to, sender, from) *
+                                 brightness_of_seen_parts(*lighting, sender, pairs, seen);
+        link.brightness = std::clamp(brightness, 1 / kMostBrightness, kMostBrightness);
     }
     if (to.kind == NodeKind::kElement) {
         const std::array<float, kPoints> unoccluded = quarter_form_factors(hierarchy, to, from);

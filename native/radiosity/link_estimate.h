@@ -3,6 +3,7 @@
 
 #include "radiosity/exchange.h"
 #include "radiosity/hierarchy.h"
+#include "radiosity/lighting.h"
 #include "radiosity/link.h"
 #include "trace/ray_tracer.h"
 
@@ -13,8 +14,8 @@ namespace gg {
 enum class SampleSet : std::uint8_t { kJudge, kLink };
 
 // Samples the transport with about `rays` shadow rays, 4..64. receiver and sender may be one cluster. The hits of a
-// near link are appended to `hits`, when given.
+// near link are appended to `hits`, when given; with `lighting` the sender need not be even.
 [[nodiscard]] Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId receiver, NodeId sender,
-                                 int rays, SampleSet samples, NearHits* hits);
+                                 int rays, SampleSet samples, NearHits* hits, const Lighting* lighting = nullptr);
 
 }  // namespace gg

@@ -184,6 +184,16 @@ bool still_good(const Hierarchy& hierarchy, const Lighting& lighting, const Link
            allowed_error(receiver, irradiance, settings);
 }
 
+bool may_be_uneven(const Hierarchy& hierarchy, const Lighting& lighting, const Link& link,
+                   const RefineSettings& settings) {
+    constexpr float kNegligible = 0.3F;  // share of the tolerance
+    const Node& receiver = hierarchy[link.receiver];
+    const float arriving = lighting.spread(link.sender) * link.form_factor * link.visibility;
+    return hierarchy[link.sender].kind == NodeKind::kElement &&
+           seen_reflectance(receiver) * arriving >
+               kNegligible * allowed_error(receiver, luminance(lighting.irradiance(link.receiver)), settings);
+}
+
 Decision decide(const Hierarchy& hierarchy, const Lighting& lighting, const RayTracer& tracer, NodeId receiver_id,
                 NodeId sender_id, const RefineSettings& settings, NearHits& hits) {
     const Node& receiver = hierarchy[receiver_id];
@@ -201,7 +211,7 @@ Decision decide(const Hierarchy& hierarchy, const Lighting& lighting, const RayT
     const float light = strength(sender, luminance(lighting.radiosity(sender_id)));
     const float most = reflectance * light * (self ? 1.0F : form_factor_bound(hierarchy, receiver, sender));
     if (most <= kInsignificant * allowed) {
-        Link link = estimate_link(hierarchy, tracer, receiver_id, sender_id, 4, SampleSet::kLink, &hits);
+        Link link = estimate_link(hierarchy, tracer, receiver_id, sender_id, 4, SampleSet::kLink, &hits, &lighting);
         link.shape_error = 0;
         link.level_error = form_factor_bound(hierarchy, receiver, sender) / surface_shown(sender, link.near);
         return {Verdict::kAccept, link};
@@ -226,7 +236,7 @@ Decision decide(const Hierarchy& hierarchy, const Lighting& lighting, const RayT
     if (split != Verdict::kAccept && !still_good(hierarchy, lighting, judged, settings)) {
         return {split, {}};
     }
-    Link link = estimate_link(hierarchy, tracer, receiver_id, sender_id, rays, SampleSet::kLink, &hits);
+    Link link = estimate_link(hierarchy, tracer, receiver_id, sender_id, rays, SampleSet::kLink, &hits, &lighting);
     link.shape_error = judged.shape_error;
     link.level_error = judged.level_error;
     return {Verdict::kAccept, link};

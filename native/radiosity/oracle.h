@@ -20,6 +20,10 @@ struct Decision {
 [[nodiscard]] bool still_good(const Hierarchy& hierarchy, const Lighting& lighting, const Link& link,
                               const RefineSettings& settings);
 
+// Whether what the receiver sees of an element may have become brighter or darker than the element's mean.
+[[nodiscard]] bool may_be_uneven(const Hierarchy& hierarchy, const Lighting& lighting, const Link& link,
+                                 const RefineSettings& settings);
+
 [[nodiscard]] Decision decide(const Hierarchy& hierarchy, const Lighting& lighting, const RayTracer& tracer,
                               NodeId receiver, NodeId sender, const RefineSettings& settings, NearHits& hits);
 

@@ -26,7 +26,7 @@ constexpr std::uint32_t kMostRays = 64;  // to measure by how much
 constexpr int kMostLevels = 10;
 // A patch from which no more than the first share of its hemispheres is open is covered, from the second on it is
 // exposed: a floor's edge between two walls must be.
-constexpr float kCovered = 0.02F, kExposed = 0.25F;
+constexpr float kCovered = 0.03F, kExposed = 0.3F;
 constexpr float kSame = 0.1F;  // difference of exposure below which patches are one
 
 float longest_edge(const Corners3& c) {

@@ -10,6 +10,8 @@
 
 #include <array>
 
+#include "core/vec.h"
+
 namespace gg {
 
 inline constexpr int kQuarters = 4;
@@ -24,6 +26,31 @@ template <typename Value>
         part[k] = 0.5F * (corners[self] + corners[other]);
     }
     return part;
+}
+
+// The quarter at a point, given by its weights of corners 1 and 2.
+[[nodiscard]] inline int quarter_at(Vec2 place) {
+    if (place.x >= 0.5F) {
+        return 1;
+    }
+    if (place.y >= 0.5F) {
+        return 2;
+    }
+    return place.x + place.y <= 0.5F ? 0 : 3;
+}
+
+// The same point in the quarter's own coordinates.
+[[nodiscard]] inline Vec2 place_in_quarter(Vec2 place, int quarter) {
+    switch (quarter) {
+        case 0:
+            return 2.0F * place;
+        case 1:
+            return {2 * place.x - 1, 2 * place.y};
+        case 2:
+            return {2 * place.x, 2 * place.y - 1};
+        default:
+            return {1 - 2 * place.x, 1 - 2 * place.y};
+    }
 }
 
 }  // namespace gg

@@ -121,7 +121,7 @@ void refine(Hierarchy& hierarchy, Lighting& lighting, const RayTracer& tracer, L
     Links kept;
     std::vector<Pair> pairs;
     for (const Link& link : links.all) {
-        if (still_good(hierarchy, lighting, link, settings)) {
+        if (still_good(hierarchy, lighting, link, settings) && !may_be_uneven(hierarchy, lighting, link, settings)) {
             append(kept, {&link, 1}, links.hits);
         } else {
             pairs.push_back({link.receiver, link.sender});

@@ -50,6 +50,7 @@ void add_pair(const Hierarchy& hierarchy, const FacePoint& x, const Node& sender
     out.rays[out.count] = {origin, end - origin, 0.0F, infinite ? kInfinity : 1.0F - 1e-5F};
     out.weights[out.count] = weight;
     out.lengths[out.count] = distance;
+    out.targets[out.count] = target;
     out.quarters[out.count] = static_cast<std::uint8_t>(quarter);
     ++out.count;
 }
@@ -114,11 +115,14 @@ Seen trace_shadow_rays(const RayTracer& tracer, const ShadowRays& pairs, int cou
 }
 
 void find_occluders(const RayTracer& tracer, const ShadowRays& pairs, const Seen& seen, Link& link) {
+    constexpr int kEnough = 4;  // blocked rays that are followed
     float nearest = kInfinity;
-    for (std::size_t i = 0; i < pairs.count; ++i) {
+    int followed = 0;
+    for (std::size_t i = 0; i < pairs.count && followed < kEnough; ++i) {
         if (!seen.blocked[i]) {
             continue;
         }
+        ++followed;
         const Ray& ray = pairs.rays[i];
         const Hit first = tracer.closest_hit(ray, RayMask::kLight);
         if (first.missed()) {

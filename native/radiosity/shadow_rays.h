@@ -15,6 +15,7 @@ struct ShadowRays {
     std::array<Ray, kMaxRays> rays;
     std::array<float, kMaxRays> weights{};          // of the unoccluded transport
     std::array<float, kMaxRays> lengths{};          // m
+    std::array<Vec3, kMaxRays> targets;             // on the sender
     std::array<std::uint8_t, kMaxRays> quarters{};  // of an element, from which they start
     std::size_t count = 0;
     bool sender_shines = false;  // some point of the sender faces some point of the receiver, if not the reverse

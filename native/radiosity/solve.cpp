@@ -12,9 +12,9 @@ namespace {
 
 // Multigridding: coarse links carry the light around once before finer ones are judged by it.
 constexpr float kCoarseness[] = {16, 4, 1};
-constexpr int kSweepsBetween = 4;
+constexpr int kSweepsBetween = 5;
 constexpr int kSweepsAtEnd = 200;    // enough for a mean reflectance of 0.97
-constexpr double kConverged = 2e-4;  // change of the reflected power in one sweep, share of it
+constexpr double kConverged = 4e-4;  // change of the reflected power in one sweep, share of it
 
 struct Power {
     double emitted = 0, absorbed = 0;  // W, luminance
@@ -103,11 +103,7 @@ std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& c
             solution->lighting.clear(control);
         }
         const int most = coarseness > 1 ? kSweepsBetween : kSweepsAtEnd;
-        for (int sweep = 0; sweep < most; ++sweep, ++sweeps) {
-            if (solution->lighting.iterate(control) < kConverged) {
-                break;
-            }
-        }
+        sweeps += solution->lighting.settle(most, kConverged, control);
     }
     statistics.set_count("sweeps", sweeps);
     {

@@ -55,9 +55,9 @@ std::string name_of(const testing::TestParamInfo<Furnace>& info) {
 INSTANTIATE_TEST_SUITE_P(
     Rooms, FurnaceLaw,
     testing::Values(Furnace{0.5F, false, 0.02F, 0.01, 0.05}, Furnace{0.8F, false, 0.02F, 0.01, 0.05},
-                    Furnace{0.5F, false, 0.005F, 0.01, 0.05}, Furnace{0.8F, false, 0.005F, 0.02, 0.1},
+                    Furnace{0.5F, false, 0.005F, 0.01, 0.05}, Furnace{0.8F, false, 0.005F, 0.02, 0.16},
                     Furnace{0.5F, true, 0.02F, 0.025, 0.35}, Furnace{0.8F, true, 0.02F, 0.05, 0.7},
-                    Furnace{0.5F, true, 0.005F, 0.025, 0.25}, Furnace{0.8F, true, 0.005F, 0.05, 0.4}),
+                    Furnace{0.5F, true, 0.005F, 0.025, 0.25}, Furnace{0.8F, true, 0.005F, 0.05, 0.5}),
     name_of);
 
 }  // namespace
