@@ -103,7 +103,7 @@ def test_film_settings_are_those_of_cycles(scene):
     assert (settings.film_transparent, settings.threads, settings.samples) == (True, 3, 5)
 
 
-@pytest.mark.parametrize("preset, quality", [("DRAFT", 0.05), ("PREVIEW", 0.02), ("FINAL", 0.01), ("PAPER", 0.01)])
+@pytest.mark.parametrize("preset, quality", [("DRAFT", 0.08), ("PREVIEW", 0.04), ("FINAL", 0.02), ("PAPER", 0.02)])
 def test_presets_set_the_quality(scene, preset, quality):
     assert scene.gridgather.preset == "FINAL"
     scene.gridgather.preset = preset

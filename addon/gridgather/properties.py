@@ -5,7 +5,7 @@ from bpy.props import EnumProperty, FloatProperty, IntProperty, PointerProperty,
 
 from . import messages
 
-QUALITY = {"DRAFT": 0.05, "PREVIEW": 0.02, "FINAL": 0.01, "PAPER": 0.01}
+QUALITY = {"DRAFT": 0.08, "PREVIEW": 0.04, "FINAL": 0.02, "PAPER": 0.02}
 
 
 def _apply_preset(settings, _context) -> None:

@@ -20,10 +20,10 @@ constexpr float kRoom = 0.5F;  // how far a ray must get, as a share of the inst
 // Whose hemisphere is open by no more than the first share gets next to no light from outside, by the second and more
 // about as much as any [measured: armchair, sofa, dresser, books, bear, peace lily of the furnished room].
 constexpr float kCovered = 0.13F, kExposed = 0.5F;
-constexpr float kLeast = 1.0F / 64;   // of a covered face: no cluster is without any area
-constexpr float kAligned = 0.8F;       // cosine between normals of faces that are looked at as one
-constexpr float kThickness = 0.1F;     // of such faces together, as a share of their tree node's size
-constexpr std::size_t kNodes = 32;     // of the tree, whose rays are traced together
+constexpr float kLeast = 1.0F / 64;  // of a covered face: no cluster is without any area
+constexpr float kAligned = 0.8F;     // cosine between normals of faces that are looked at as one
+constexpr float kThickness = 0.1F;   // of such faces together, as a share of their tree node's size
+constexpr std::size_t kNodes = 32;   // of the tree, whose rays are traced together
 
 struct FaceSide {
     std::uint32_t triangle = 0;
@@ -34,7 +34,7 @@ struct FaceSide {
 // Neighbours of the same leaf that face one way: one share of open directions for all of them.
 struct Group {
     std::vector<FaceSide> faces;
-    Vec3 position{0.0F};  // of its first face
+    Vec3 position{0.0F};        // of its first face
     std::uint32_t blocked = 0;  // rays
 };
 
@@ -118,8 +118,8 @@ class Surveyor {
                 const Vec3 x = w.x * corner[0] + w.y * corner[1] + w.z * corner[2];
                 const Vec2 disk = square_to_disk(sequence(k, 2), sequence(k, 3));
                 const float z = std::sqrt(std::max(0.0F, 1 - dot(disk, disk)));
-                rays_.push_back({offset_origin(x, face.normal, reach_), Frame(face.normal).to_world({disk.x, disk.y, z}),
-                                 0, reach_});
+                rays_.push_back({offset_origin(x, face.normal, reach_),
+                                 Frame(face.normal).to_world({disk.x, disk.y, z}), 0, reach_});
             }
         }
         hits_.resize(rays_.size());

@@ -65,8 +65,8 @@ FaceColors make_face_colors(const Scene& scene, std::uint32_t instance, const Me
         return (faces.area_prefix[i + 1] - faces.area_prefix[i]) / faces.exposure[faces.tree.order[i]].sides();
     };
     for (std::size_t i = 0; i < count; ++i) {
-        reflected +=
-            (faces.exposed_prefix[i + 1] - faces.exposed_prefix[i]) * glm::dvec3(result.reflectance[faces.tree.order[i]]);
+        reflected += (faces.exposed_prefix[i + 1] - faces.exposed_prefix[i]) *
+                     glm::dvec3(result.reflectance[faces.tree.order[i]]);
     }
     result.mean_reflectance = Rgb(reflected / std::max(faces.exposed_prefix.back(), 1e-300));
     if (std::any_of(emission.begin(), emission.end(), [](Rgb e) { return luminance(e) > 0; })) {

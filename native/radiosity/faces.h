@@ -34,9 +34,10 @@ struct Exposure {
 };
 
 struct MeshFaces {
-    ClusterTree tree;                 // over triangles, object space
-    std::vector<Exposure> exposure;   // per triangle
-    // Sums over the triangles in tree order, size triangles + 1: object-space area of every lit side, and times exposure.
+    ClusterTree tree;                // over triangles, object space
+    std::vector<Exposure> exposure;  // per triangle
+    // Sums over the triangles in tree order, size triangles + 1: object-space area of every lit side, and times
+    // exposure.
     std::vector<double> area_prefix, exposed_prefix;
     double area = 0;                  // object space, every triangle once
     std::vector<std::uint32_t> rank;  // triangle -> its place in tree order
@@ -50,9 +51,9 @@ struct SceneFaces {
     ClusterTree instances;                       // over the instances that light reaches; no nodes when none
     // Sums over instances in the order of `instances`, size items + 1: of world area of every lit side, and * exposure.
     std::vector<double> instance_prefix, instance_exposed_prefix;
-    std::vector<std::uint32_t> instance_ids;     // item of `instances` -> instance
-    std::vector<std::uint32_t> instance_rank;    // instance -> place in the order of `instances`
-    PatchForest patches;                         // of large faces that are covered in part
+    std::vector<std::uint32_t> instance_ids;   // item of `instances` -> instance
+    std::vector<std::uint32_t> instance_rank;  // instance -> place in the order of `instances`
+    PatchForest patches;                       // of large faces that are covered in part
 };
 
 [[nodiscard]] SceneFaces make_scene_faces(const Scene& scene, const SurfaceColors& colors, const RayTracer& tracer,

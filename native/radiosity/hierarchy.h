@@ -46,12 +46,12 @@ struct Node {
     // Mean exposure by area. What arrives at the node is shared out: a face gets it times its own exposure over this,
     // and light from within the cluster times its own shelter (1 - exposure) over the mean shelter.
     float exposure = 1;
-    float weight = 1;             // kElement: its own exposure, by which it gets what arrives at its parent
-    float shelter = 0;            // kElement: of a whole triangle: its own
-    std::uint32_t patch = kNone;  // kElement: of SceneFaces::patches, as long as its quarters have patches too
-    std::array<Vec3, 3> corner{};    // kElement: world; others: [0], [1] the box
-    std::array<Vec2, 3> weights{};   // kElement: of corners 1 and 2 of the triangle, at this element's corners
-    Rgb reflectance{0.0F};           // mean over the faces
+    float weight = 1;               // kElement: its own exposure, by which it gets what arrives at its parent
+    float shelter = 0;              // kElement: of a whole triangle: its own
+    std::uint32_t patch = kNone;    // kElement: of SceneFaces::patches, as long as its quarters have patches too
+    std::array<Vec3, 3> corner{};   // kElement: world; others: [0], [1] the box
+    std::array<Vec2, 3> weights{};  // kElement: of corners 1 and 2 of the triangle, at this element's corners
+    Rgb reflectance{0.0F};          // mean over the faces
     Rgb emission{0.0F};  // radiosity that it emits by itself, mean over the faces, W/m2 (lamps: see make_lamp)
 };
 
@@ -76,8 +76,8 @@ class Hierarchy {
     // Lamps and sky cells, present from the start.
     [[nodiscard]] const std::vector<NodeId>& infinite_and_lamps() const { return senders_; }
 
-    // Gives children to leaves, in the order of `leaves` (ascending ids), and to elements among them that are exposed in
-    // part, down to the patches. Lamps have none.
+    // Gives children to leaves, in the order of `leaves` (ascending ids), and to elements among them that are exposed
+    // in part, down to the patches. Lamps have none.
     void open(std::span<const NodeId> leaves, const Control& control);
     // Nodes of one generation have no parent in the same generation: [begin, end) of generation g.
     [[nodiscard]] std::span<const NodeId> generations() const { return generations_; }

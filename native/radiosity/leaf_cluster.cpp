@@ -14,7 +14,8 @@ FacingArea facing_area(const Hierarchy& hierarchy, const Node& node) {
         if (!(area > 0)) {
             return;
         }
-        const auto [front, back, front_shelter, back_shelter] = faces.meshes[scene.instances[instance].mesh].exposure[triangle];
+        const auto [front, back, front_shelter, back_shelter] =
+            faces.meshes[scene.instances[instance].mesh].exposure[triangle];
         const auto basis = form_basis(area_vector / area);
         const float front_side = front > 0 ? area : 0, back_side = back > 0 ? area : 0;
         for (std::size_t i = 0; i < kFormSize; ++i) {

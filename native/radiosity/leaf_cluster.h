@@ -10,7 +10,8 @@ namespace gg {
 
 // What a leaf cluster does with light, summed over its faces so that no iteration visits them.
 struct LeafCluster {
-    // Of what arrives from afar at an exposure of 1, and from within at a shelter of 1; m2 that times such a form give W.
+    // Of what arrives from afar at an exposure of 1, and from within at a shelter of 1; m2 that times such a form give
+    // W.
     ReflectionOperator reflect, reflect_near;
     std::array<float, kFormSize> arriving{}, arriving_near{};
     DirectionalForm emission;  // W/sr
@@ -18,15 +19,16 @@ struct LeafCluster {
     double area = 0;           // m2, every lit side
 };
 
-// The area of a cluster's faces that faces a direction, as they are and times their exposure, m2: moments of form_basis.
+// The area of a cluster's faces that faces a direction, as they are and times their exposure, m2: moments of
+// form_basis.
 struct FacingArea {
     std::array<float, kFormSize> area{}, exposed{}, sheltered{};
 };
 
 [[nodiscard]] FacingArea facing_area(const Hierarchy& hierarchy, const Node& node);
 
-// By what to scale light that falls on all faces alike, so that the same power arrives when it is shared out by exposure
-// or by shelter.
+// By what to scale light that falls on all faces alike, so that the same power arrives when it is shared out by
+// exposure or by shelter.
 [[nodiscard]] float share_out_far(const FacingArea& facing, const DirectionalForm& light);
 [[nodiscard]] float share_out_near(const FacingArea& facing, const DirectionalForm& light);
 

@@ -13,12 +13,6 @@ namespace {
 
 constexpr std::size_t kBlock = 64;
 
-// What shares out light from near over the patches of an element.
-float patch_shelter(float exposure) {
-    constexpr float kOfCovered = 0.5F;
-    return 1.01F - kOfCovered * exposure;
-}
-
 }  // namespace
 
 Lighting::Lighting(const Hierarchy& hierarchy) : hierarchy_(hierarchy) {}
@@ -57,7 +51,8 @@ void Lighting::grow(const Control& control) {
 void Lighting::find_facing_areas(const Control& control) {
     std::vector<NodeId> missing;
     for (NodeId id = 0; id < hierarchy_.nodes().size(); ++id) {
-        const bool receives = leaf_slot_[id] != kNone || (id + 1 < link_begin_.size() && link_begin_[id] < link_begin_[id + 1]);
+        const bool receives =
+            leaf_slot_[id] != kNone || (id + 1 < link_begin_.size() && link_begin_[id] < link_begin_[id + 1]);
         if (is_cluster(hierarchy_[id]) && receives && !(facing_[slot_[id]].area[0] > 0)) {
             missing.push_back(id);
         }
@@ -66,8 +61,8 @@ void Lighting::find_facing_areas(const Control& control) {
                  [&](std::size_t i) { facing_[slot_[missing[i]]] = facing_area(hierarchy_, hierarchy_[missing[i]]); });
 }
 
-// What is brighter for one receiver is darker for another: all that an object's elements send stays the same. Few samples
-// see too much of a bright middle, and that would add up over the reflections.
+// What is brighter for one receiver is darker for another: all that an object's elements send stays the same. Few
+// samples see too much of a bright middle, and that would add up over the reflections.
 void Lighting::balance_brightness(Links& links) const {
     const auto& nodes = hierarchy_.nodes();
     std::vector<double> even(hierarchy_.scene().instances.size()), uneven(even.size());
@@ -111,29 +106,6 @@ void Lighting::set_links(Links& links, const Control& control) {
             links.hits[h].leaf = leaf_at(link.sender, links.hits[h]);
         }
     });
-}
-
-// The leaf cluster or the element of the whole triangle below a cluster; kNone for a side that no light reaches.
-NodeId Lighting::leaf_at(NodeId sender, const NearHit& hit) const {
-    const auto& nodes = hierarchy_.nodes();
-    NodeId id = sender;
-    while (is_cluster(nodes[id]) && nodes[id].child_count > 0) {
-        const NodeId end = nodes[id].first_child + nodes[id].child_count;
-        NodeId child = nodes[id].first_child;
-        while (child < end) {
-            const Node& part = nodes[child];
-            if (part.kind == NodeKind::kElement ? part.source == hit.triangle && part.back == hit.back
-                                                : hierarchy_.contains(part, hit.instance, hit.triangle)) {
-                break;
-            }
-            ++child;
-        }
-        if (child == end) {
-            return kNone;
-        }
-        id = child;
-    }
-    return id;
 }
 
 void Lighting::make_leaf_clusters(const Control& control) {
@@ -191,197 +163,6 @@ PlaceOnElement Lighting::at(NodeId element, Vec3 point) const {
     const Rgb irradiance = (1 - place.x - place.y) * corners[0] + place.x * corners[1] + place.y * corners[2];
     result.radiosity = luminance(nodes[id].emission + nodes[id].reflectance * glm::max(irradiance, Rgb(0.0F)));
     return result;
-}
-
-Rgb Lighting::radiosity_at(const NearHit& hit) const {
-    if (hit.leaf == kNone) {
-        return Rgb(0.0F);
-    }
-    if (hierarchy_[hit.leaf].kind == NodeKind::kElement) {
-        return radiosity_[hit.leaf];
-    }
-    const SceneFaces& faces = hierarchy_.faces();
-    const FaceColors& colors = faces.colors[faces.instance_colors[hit.instance]];
-    const Vec3 front = normalize_or_zero(world_area_vector(hierarchy_.scene(), hit.instance, hit.triangle));
-    Exposure exposure = faces.meshes[hierarchy_.scene().instances[hit.instance].mesh].exposure[hit.triangle];
-    // One of few rays may hit a face that has far more light than its cluster: as often as not too often.
-    constexpr float kMost = 4;
-    const float most = kMost * facing_[slot_[hit.leaf]].exposed[0] / std::max(facing_[slot_[hit.leaf]].area[0], 1e-30F);
-    exposure.front = std::min(exposure.front, most);
-    exposure.back = std::min(exposure.back, most);
-    const Rgb irradiance = on_face(shining_[slot_[hit.leaf]], exposure, hit.back, hit.back ? -front : front);
-    const Rgb emission = colors.emission.empty() ? Rgb(0.0F) : colors.emission[hit.triangle];
-    return kPi * emission + colors.reflectance[hit.triangle] * irradiance;
-}
-
-void Lighting::gather_near(const Link& link, DirectionalForm& form, std::array<Rgb, 3>& corners) const {
-    const float share = dimming_ / static_cast<float>(link.ray_count);
-    Rgb mean(0.0F);
-    std::array<Rgb, 3> lean{};
-    for (const NearHit& hit : hits_.subspan(link.first_hit, link.hit_count)) {
-        const Rgb radiosity = radiosity_at(hit);
-        mean += share * radiosity;
-        for (int k = 0; k < 3; ++k) {
-            lean[k] += dimming_ * hit.lean[k] * radiosity;
-        }
-    }
-    for (Rgb& corner : corners) {
-        corner += mean;
-    }
-    form.coefficients[0] += mean;
-    // No face gets next to nothing, whatever few rays say: what all get is then well-conditioned to share out.
-    const Rgb size = glm::sqrt(lean[0] * lean[0] + lean[1] * lean[1] + lean[2] * lean[2]);
-    constexpr float kMostLean = 0.5F;
-    const Rgb scale = glm::min(Rgb(1.0F), kMostLean * mean / glm::max(size, Rgb(1e-30F)));
-    for (int k = 0; k < 3; ++k) {
-        form.coefficients[1 + k] += scale * lean[k];
-    }
-}
-
-void Lighting::gather(NodeId receiver) {
-    const auto& nodes = hierarchy_.nodes();
-    const Node& to = nodes[receiver];
-    std::array<Rgb, 3> corners{};
-    DirectionalForm form, near;
-    Rgb near_mean(0.0F);
-    for (std::uint32_t i = link_begin_[receiver]; i < link_begin_[receiver + 1]; ++i) {
-        const Link& link = links_[link_order_[i]];
-        const Node& from = nodes[link.sender];
-        const float factor = link.form_factor * link.visibility;
-        if (!(factor > 0)) {
-            continue;
-        }
-        if (link.near) {
-            gather_near(link, near, corners);
-            continue;
-        }
-        Rgb arriving;
-        if (!is_surface(from)) {
-            arriving = factor * radiosity_[link.sender];
-        } else if (is_cluster(from)) {
-            const Vec3 towards = normalize_or_zero(to.center - from.center);
-            arriving = dimming_ * kPi * factor * evaluate_clamped(intensity_[slot_[link.sender]], towards);
-        } else {
-            arriving = dimming_ * factor * link.brightness * radiosity_[link.sender];
-        }
-        if (to.kind == NodeKind::kElement) {
-            for (int k = 0; k < 3; ++k) {
-                corners[k] += (1 - link.near_share) * link.shape[k] * arriving;
-            }
-            near_mean += link.near_share * arriving;
-        } else {
-            DirectionalForm cone;
-            add_cone(cone, Rgb(1.0F), link.shape);
-            cone *= arriving * share_out_far(facing_[slot_[receiver]], cone);
-            form += cone;
-        }
-    }
-    if (to.kind == NodeKind::kElement) {
-        const float shared_out = 1 / to.exposure;
-        corners_[slot_[receiver]] = {shared_out * corners[0], shared_out * corners[1], shared_out * corners[2]};
-        near_[slot_[receiver]] = near_mean / patch_shelter(to.exposure);
-    } else {
-        received_[slot_[receiver]] = {form, near * share_out_near(facing_[slot_[receiver]], near)};
-    }
-}
-
-void Lighting::push(NodeId id) {
-    const auto& nodes = hierarchy_.nodes();
-    const Node& node = nodes[id];
-    if (node.parent == kNone || !is_surface(node)) {
-        return;
-    }
-    if (node.kind != NodeKind::kElement) {
-        received_[slot_[id]].far += received_[slot_[node.parent]].far;
-        received_[slot_[id]].near += received_[slot_[node.parent]].near;
-        return;
-    }
-    std::array<Rgb, 3>& corners = corners_[slot_[id]];
-    if (nodes[node.parent].kind == NodeKind::kElement) {
-        const std::array<Rgb, 3>& whole = corners_[slot_[node.parent]];
-        const int quarter = static_cast<int>(id - nodes[node.parent].first_child);
-        const std::array<Rgb, 3> inherited = quarter_of(whole, quarter);
-        for (int k = 0; k < 3; ++k) {
-            corners[k] += node.weight * inherited[k];
-        }
-        const Rgb near = near_[slot_[node.parent]];
-        if (node.patch != kNone) {
-            near_[slot_[id]] += near;
-        } else if (nodes[node.parent].patch != kNone) {
-            for (Rgb& corner : corners) {
-                corner += patch_shelter(node.weight) * near;
-            }
-        }
-    } else {
-        const Received& light = received_[slot_[node.parent]];
-        const Rgb irradiance = glm::max(
-            node.weight * evaluate(light.far, node.normal) + node.shelter * evaluate(light.near, node.normal), Rgb(0.0F));
-        for (Rgb& corner : corners) {
-            corner += irradiance;
-        }
-    }
-    irradiance_[id] = (corners[0] + corners[1] + corners[2]) / 3.0F;
-}
-
-void Lighting::pull(NodeId id) {
-    const auto& nodes = hierarchy_.nodes();
-    const Node& node = nodes[id];
-    if (!is_surface(node)) {
-        radiosity_[id] = node.emission;
-        return;
-    }
-    if (node.child_count == 0) {
-        if (node.kind == NodeKind::kElement) {
-            radiosity_[id] = node.emission + node.reflectance * irradiance_[id];
-            float squares = 0;  // of a linear function over a triangle: the variance is their sum over 12
-            for (const Rgb& corner : corners_[slot_[id]]) {
-                const float difference = luminance(node.reflectance * (corner - irradiance_[id]));
-                squares += difference * difference;
-            }
-            spread_[id] = std::sqrt(squares / 12);
-            return;
-        }
-        const LeafCluster& leaf = leaves_[leaf_slot_[id]];
-        const Received& light = received_[slot_[id]];
-        intensity_[slot_[id]] = leaf.emission + leaf.reflect.apply(light.far) + leaf.reflect_near.apply(light.near);
-        const Rgb reflected = glm::max(
-            leaf.reflect.reflected_power(light.far) + leaf.reflect_near.reflected_power(light.near), Rgb(0.0F));
-        const auto inverse_area = static_cast<float>(1.0 / std::max(leaf.area, 1e-30));
-        radiosity_[id] = (leaf.emitted_power + reflected) * inverse_area;
-        spread_[id] = 0;
-        Rgb arriving(0.0F);
-        for (std::size_t i = 0; i < kFormSize; ++i) {
-            arriving += leaf.arriving[i] * light.far.coefficients[i];
-            arriving += leaf.arriving_near[i] * light.near.coefficients[i];
-        }
-        irradiance_[id] = glm::max(arriving, Rgb(0.0F)) * inverse_area;
-        return;
-    }
-    glm::dvec3 power(0.0), arriving(0.0);
-    double area = 0, squares = 0;
-    DirectionalForm intensity;
-    for (NodeId child = node.first_child; child < node.first_child + node.child_count; ++child) {
-        area += area_[child];
-        power += area_[child] * glm::dvec3(radiosity_[child]);
-        arriving += area_[child] * glm::dvec3(irradiance_[child]);
-        const double brightness = luminance(radiosity_[child]);
-        squares += area_[child] * (brightness * brightness + static_cast<double>(spread_[child]) * spread_[child]);
-        if (node.kind != NodeKind::kElement) {
-            if (is_cluster(nodes[child])) {
-                intensity += intensity_[slot_[child]];
-            } else {
-                add_face(intensity, radiosity_[child] * (nodes[child].area / kPi), nodes[child].normal);
-            }
-        }
-    }
-    area_[id] = area;
-    radiosity_[id] = Rgb(power / std::max(area, 1e-300));
-    irradiance_[id] = Rgb(arriving / std::max(area, 1e-300));
-    const double mean = luminance(radiosity_[id]);
-    spread_[id] = static_cast<float>(std::sqrt(std::max(0.0, squares / std::max(area, 1e-300) - mean * mean)));
-    if (node.kind != NodeKind::kElement) {
-        intensity_[slot_[id]] = intensity;
-    }
 }
 
 double Lighting::total_reflected_power() const {
@@ -456,8 +237,8 @@ double Lighting::iterate(const Control& control) {
 
 std::size_t Lighting::bytes() const {
     return radiosity_.capacity() * (2 * sizeof(Rgb) + sizeof(float) + sizeof(double) + 2 * sizeof(std::uint32_t)) +
-           received_.capacity() * (2 * sizeof(Received) + sizeof(DirectionalForm)) + leaves_.capacity() * sizeof(LeafCluster) +
-           link_order_.capacity() * sizeof(std::uint32_t);
+           received_.capacity() * (2 * sizeof(Received) + sizeof(DirectionalForm)) +
+           leaves_.capacity() * sizeof(LeafCluster) + link_order_.capacity() * sizeof(std::uint32_t);
 }
 
 }  // namespace gg

@@ -40,8 +40,8 @@ class Lighting {
     // total reflected power over the power [0..].
     double iterate(const Control& control);
 
-    // Iterates until a step is at most `converged`, at most `most` times; returns how often. Sampled links may send on a
-    // little more than they get. Where steps do not shrink, all light between surfaces is dimmed until they do.
+    // Iterates until a step is at most `converged`, at most `most` times; returns how often. Sampled links may send on
+    // a little more than they get. Where steps do not shrink, all light between surfaces is dimmed until they do.
     int settle(int most, double converged, const Control& control);
 
     // Means over the node's faces, W/m2. Lamps and sky have their emission as radiosity.

@@ -9,9 +9,9 @@
 
 namespace gg {
 
-// Irradiance [W/m2] that arrives: B form_factor visibility brightness for a sender with one radiosity B; a cluster has pi J(w) in
-// place of B, J its intensity [W/sr] in direction w towards the receiver. At an element the receiver's cosine is in the
-// form factor; at a cluster it is not, the form factor is a solid angle over pi.
+// Irradiance [W/m2] that arrives: B form_factor visibility brightness for a sender with one radiosity B; a cluster has
+// pi J(w) in place of B, J its intensity [W/sr] in direction w towards the receiver. At an element the receiver's
+// cosine is in the form factor; at a cluster it is not, the form factor is a solid angle over pi.
 //
 // Between clusters that touch or are one there is no such formula. They have a `near` link: rays from the receiver's
 // faces that hit the sender, and bring the radiosity of what they hit.

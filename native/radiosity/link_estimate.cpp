@@ -41,8 +41,8 @@ bool are_close(const Node& a, const Node& b) {
     return length(a.center - b.center) < 1.5F * (a.radius + b.radius);
 }
 
-// The same by reciprocity, A_r F_rs = A_s F_sr, from points of a sender that is far smaller: it may lie so close that the
-// receiver's few points all miss its light.
+// The same by reciprocity, A_r F_rs = A_s F_sr, from points of a sender that is far smaller: it may lie so close that
+// the receiver's few points all miss its light.
 std::array<float, kPoints> quarter_form_factors_of_small(const Node& receiver, const Node& sender) {
     std::array<float, kPoints> factors{};
     for (int i = 0; i < kPoints; ++i) {
@@ -176,7 +176,8 @@ float brightness_of_nearer_parts(const Lighting& lighting, const Node& receiver,
             if (!in_front(x, from)) {
                 continue;
             }
-            const float towards = receiver.kind == NodeKind::kElement ? std::max(0.0F, -dot(d, receiver.normal)) : length(d);
+            const float towards =
+                receiver.kind == NodeKind::kElement ? std::max(0.0F, -dot(d, receiver.normal)) : length(d);
             const float factor = close ? point_to_triangle(x, receiver.normal, part[0], part[1], part[2])
                                        : towards * dot(d, from.normal) / (length_squared(d) * length_squared(d));
             weights += factor;

@@ -22,15 +22,16 @@ constexpr float kDarkest = 0.01F;       // irradiance below this share of the wh
 constexpr float kLeastReflectance = 0.05F;
 constexpr float kLeastContrast = 0.1F;  // of a sender to its surroundings that is always counted
 constexpr float kLeastExposed = 0.1F;
-constexpr float kLocal = 0.5F;        // size and distance of senders, as shares of the receiver's, that are looked at closely
-constexpr float kLocalFactor = 0.25F; // form factor where such a sender stands
-constexpr float kShown = 0.5F;          // share of a cluster's area, both sides, that may face a receiver
-constexpr float kHotSpots = 3;          // how much brighter than its mean a cluster may be that has emitting faces
+constexpr float kLocal = 0.5F;  // size and distance of senders, as shares of the receiver's, that are looked at closely
+constexpr float kLocalFactor = 0.25F;  // form factor where such a sender stands
+constexpr float kShown = 0.5F;         // share of a cluster's area, both sides, that may face a receiver
+constexpr float kHotSpots = 3;         // how much brighter than its mean a cluster may be that has emitting faces
 
 // Within the triangle's prism to its plane, else to its edges.
 float distance_to_triangle(Vec3 p, const std::array<Vec3, 3>& c) {
     const Vec3 ab = c[1] - c[0], ac = c[2] - c[0], ap = p - c[0], bp = p - c[1], cp = p - c[2];
-    const float d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp), d6 = dot(ac, cp);
+    const float d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp),
+                d6 = dot(ac, cp);
     const float va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
     const auto to_segment = [&](Vec3 a, Vec3 b) {
         const Vec3 along = b - a;
@@ -126,8 +127,8 @@ float uneven_share(const Node& receiver, const Node& sender, const Link& link) {
 }
 
 // A small sender close to a large receiver brings next to nothing in the mean, and much to the place where it stands.
-// Form factor there, times what may be wrong on all of the receiver over what may be wrong on a receiver of that place's
-// size.
+// Form factor there, times what may be wrong on all of the receiver over what may be wrong on a receiver of that
+// place's size.
 float local_share(const Node& receiver, const Node& sender, const RefineSettings& settings) {
     if (receiver.kind != NodeKind::kElement || !is_surface(sender) || sender.radius > kLocal * receiver.radius) {
         return 0;

@@ -18,9 +18,9 @@ namespace {
 
 using Corners3 = std::array<Vec3, 3>;
 
-constexpr float kLargeFace = 4;   // smallest face that is looked at, in details
-constexpr float kFirstPatch = 4;  // largest patch that is not split unseen, in details
-constexpr float kReach = 8;       // of a ray, in details
+constexpr float kLargeFace = 4;          // smallest face that is looked at, in details
+constexpr float kFirstPatch = 4;         // largest patch that is not split unseen, in details
+constexpr float kReach = 8;              // of a ray, in details
 constexpr std::uint32_t kRays = 24;      // to see whether some part may be covered
 constexpr std::uint32_t kMostRays = 64;  // to measure by how much
 constexpr int kMostLevels = 10;
@@ -35,7 +35,8 @@ float longest_edge(const Corners3& c) {
 
 class PatchBuilder {
   public:
-    PatchBuilder(const RayTracer& tracer, float detail, Vec3 normal) : tracer_(tracer), detail_(detail), frame_(normal), normal_(normal) {}
+    PatchBuilder(const RayTracer& tracer, float detail, Vec3 normal)
+        : tracer_(tracer), detail_(detail), frame_(normal), normal_(normal) {}
 
     // The tree's patches, root first, first_child counted from there.
     std::vector<Patch> build(const Corners3& corners, std::uint64_t seed) {
@@ -57,7 +58,7 @@ class PatchBuilder {
             const Vec2 disk = square_to_disk(sequence(k, 2), sequence(k, 3));
             const float z = std::sqrt(std::max(0.0F, 1 - dot(disk, disk)));
             rays[k - first] = {offset_origin(w.x * c[0] + w.y * c[1] + w.z * c[2], normal_, reach),
-                       frame_.to_world({disk.x, disk.y, z}), 0, reach};
+                               frame_.to_world({disk.x, disk.y, z}), 0, reach};
         }
         const std::size_t count = last - first;
         tracer_.occluded(std::span<const Ray>(rays.data(), count), std::span<std::uint8_t>(blocked.data(), count),

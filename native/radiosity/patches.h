@@ -22,6 +22,12 @@ struct Patch {
     std::uint32_t first_child = kNone;  // four in a row, or none
 };
 
+// What shares out light from near over the patches of an element.
+[[nodiscard]] inline float patch_shelter(float exposure) {
+    constexpr float kOfCovered = 0.5F;
+    return 1.01F - kOfCovered * exposure;
+}
+
 struct PatchForest {
     float reach = 0;  // m, of the rays that looked around
     std::vector<Patch> patches;

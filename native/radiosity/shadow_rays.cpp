@@ -73,10 +73,9 @@ ShadowRays make_shadow_rays(const Hierarchy& hierarchy, const Node& receiver, co
             add_pair(hierarchy, {x, receiver.normal, 1, 0}, sender, {sequence(j, 5), sequence(j, 3), sequence(j, 4)},
                      quarter, pairs);
         } else {
-            add_pair(
-                hierarchy,
-                sample_face(hierarchy, receiver, Spread::kByArea, sequence(i, 2), sequence(i, 0), sequence(i, 1)),
-                sender, {sequence(i, 5), sequence(i, 3), sequence(i, 4)}, 0, pairs);
+            add_pair(hierarchy,
+                     sample_face(hierarchy, receiver, Spread::kByArea, sequence(i, 2), sequence(i, 0), sequence(i, 1)),
+                     sender, {sequence(i, 5), sequence(i, 3), sequence(i, 4)}, 0, pairs);
         }
     }
     return pairs;
@@ -85,8 +84,7 @@ ShadowRays make_shadow_rays(const Hierarchy& hierarchy, const Node& receiver, co
 Seen trace_shadow_rays(const RayTracer& tracer, const ShadowRays& pairs, int count, float reach) {
     Seen result;
     tracer.occluded(std::span<const Ray>(pairs.rays.data(), pairs.count),
-                    std::span<std::uint8_t>(result.blocked.data(), pairs.count), RayMask::kLight,
-                    Coherence::kCoherent);
+                    std::span<std::uint8_t>(result.blocked.data(), pairs.count), RayMask::kLight, Coherence::kCoherent);
     std::array<float, kQuarters> seen{}, total{};
     float near = 0;
     for (std::size_t i = 0; i < pairs.count; ++i) {

@@ -24,7 +24,7 @@ struct ShadowRays {
 // What the shadow rays of a link saw, for the whole receiver and for the quarters of an element.
 struct Seen {
     float visibility = 0;
-    float near_share = 0;                          // of what arrives: over less than the reach of patches
+    float near_share = 0;  // of what arrives: over less than the reach of patches
     std::array<float, kQuarters> quarters{};
     float sampling_error = 0;                      // of visibility
     std::array<std::uint8_t, kMaxRays> blocked{};  // per ray

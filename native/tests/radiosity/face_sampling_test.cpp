@@ -120,8 +120,9 @@ TEST(SampleElement, points_are_even) {
     Vec3 mean(0.0F);
     constexpr int kGrid = 64;
     for (int k = 0; k < kGrid * kGrid; ++k) {
-        const FacePoint point = sample_face(hierarchy, element, Spread::kByArea, 0, (static_cast<float>(k % kGrid) + 0.5F) / kGrid,
-                                            (static_cast<float>(k / kGrid) + 0.5F) / kGrid);
+        const FacePoint point =
+            sample_face(hierarchy, element, Spread::kByArea, 0, (static_cast<float>(k % kGrid) + 0.5F) / kGrid,
+                        (static_cast<float>(k / kGrid) + 0.5F) / kGrid);
         mean += point.position / static_cast<float>(kGrid * kGrid);
         EXPECT_EQ(point.normal, element.normal);
     }

@@ -50,8 +50,8 @@ float exposure_over(const Prepared& prepared, const PatchForest& forest, Vec2 lo
 
 TEST(Patches, what_lies_under_a_slab_is_covered_and_the_rest_is_not) {
     Prepared prepared(covered_floor(0.02F));
-    const PatchForest forest = find_patches(prepared.scene, std::vector<std::uint32_t>{0, 1}, 0.1F, *prepared.tracer,
-                                            prepared.control);
+    const PatchForest forest =
+        find_patches(prepared.scene, std::vector<std::uint32_t>{0, 1}, 0.1F, *prepared.tracer, prepared.control);
     EXPECT_LT(exposure_over(prepared, forest, {2.2F, 2.2F}, {4, 4}), 0.04F);
     EXPECT_GT(exposure_over(prepared, forest, {0, 0}, {1.8F, 4}), 0.98F);
     for (const Patch& patch : forest.patches) {

@@ -163,7 +163,8 @@ TEST(emitter_sampling, light_from_above_the_horizon_alone_counts) {
             EXPECT_LE(length(lamp_irradiance(lamp, x, n) - truth), 4e-3F * length(truth) + 1e-4F) << tilt;
         }
     }
-    expect_close(lamp_irradiance(point(), kTarget, {0, 0, 1}), sampled_irradiance(point(), kTarget, {0, 0, 1}, 1), 1e-5F);
+    expect_close(lamp_irradiance(point(), kTarget, {0, 0, 1}), sampled_irradiance(point(), kTarget, {0, 0, 1}, 1),
+                 1e-5F);
     EXPECT_EQ(lamp_irradiance(point(), kTarget, {0, 0, -1}), Rgb(0));
 }
 
