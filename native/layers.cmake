@@ -1,5 +1,5 @@
 # Every layer's sources and what it may use. A test holds the #include lines against these arrows.
-gg_layer(core SOURCES control.cpp messages.cpp parallel.cpp statistics.cpp LINKS TBB::tbb glm::glm)
+gg_layer(core SOURCES control.cpp distance.cpp messages.cpp parallel.cpp statistics.cpp LINKS TBB::tbb glm::glm)
 set(gg_layers gg_core)
 # Further layers, lowest first; each lists its own sources.
 foreach(layer image scene material trace transport radiosity film render api)

@@ -62,10 +62,16 @@ class Lighting {
     [[nodiscard]] std::size_t bytes() const;
 
   private:
+    // By a cluster.
+    struct Received {
+        DirectionalForm far, near;  // at an exposure of 1, at a shelter of 1
+    };
+
     void balance_brightness(Links& links) const;
     void make_leaf_clusters(const Control& control);
     void find_facing_areas(const Control& control);
     void gather(NodeId receiver);
+    [[nodiscard]] static Rgb on_face(const Received& light, const Exposure& face, bool back, Vec3 normal);
     [[nodiscard]] Rgb radiosity_at(const NearHit& hit) const;
     void gather_near(const Link& link, DirectionalForm& form, std::array<Rgb, 3>& corners) const;
     [[nodiscard]] NodeId leaf_at(NodeId sender, const NearHit& hit) const;
@@ -77,17 +83,13 @@ class Lighting {
     std::vector<Rgb> radiosity_, irradiance_;
     std::vector<float> spread_;
     std::vector<double> area_;
-    std::vector<std::uint32_t> slot_;          // cluster -> received_, intensity_; element -> corners_
+    std::vector<std::uint32_t> slot_;          // cluster -> received_, intensity_, facing_; element -> corners_, near_
     std::vector<std::array<Rgb, 3>> corners_;  // irradiance at an element's corners; with patches, at an exposure of 1
     std::vector<Rgb> near_;                    // what arrives from near at an element with patches, at a shelter of 1
-    struct Received {
-        DirectionalForm far, near;  // per exposure, per shelter
-    };
     std::vector<Received> received_;
     std::vector<DirectionalForm> intensity_;
-    std::vector<FacingArea> facing_;
-    std::vector<Received> shining_;  // received_ of the iteration before
-    [[nodiscard]] static Rgb on_face(const Received& light, const Exposure& face, bool back, Vec3 normal);
+    std::vector<FacingArea> facing_;        // of clusters that receive
+    std::vector<Received> shining_;         // received_ of the iteration before
     std::vector<std::uint32_t> leaf_slot_;  // leaf cluster -> leaves_, or kNone
     std::vector<LeafCluster> leaves_;
     std::span<const Link> links_;

@@ -1,9 +1,9 @@
 #include "radiosity/oracle.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "core/distance.h"
 #include "radiosity/link_estimate.h"
 
 namespace gg {
@@ -26,24 +26,6 @@ constexpr float kLocal = 0.5F;  // size and distance of senders, as shares of th
 constexpr float kLocalFactor = 0.25F;  // form factor where such a sender stands
 constexpr float kShown = 0.5F;         // share of a cluster's area, both sides, that may face a receiver
 constexpr float kHotSpots = 3;         // how much brighter than its mean a cluster may be that has emitting faces
-
-// Within the triangle's prism to its plane, else to its edges.
-float distance_to_triangle(Vec3 p, const std::array<Vec3, 3>& c) {
-    const Vec3 ab = c[1] - c[0], ac = c[2] - c[0], ap = p - c[0], bp = p - c[1], cp = p - c[2];
-    const float d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp),
-                d6 = dot(ac, cp);
-    const float va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
-    const auto to_segment = [&](Vec3 a, Vec3 b) {
-        const Vec3 along = b - a;
-        const float t = std::clamp(dot(p - a, along) / std::max(length_squared(along), 1e-30F), 0.0F, 1.0F);
-        return length(p - a - t * along);
-    };
-    if (va > 0 && vb > 0 && vc > 0) {
-        const float sum = va + vb + vc;
-        return length(p - (va * c[0] + vb * c[1] + vc * c[2]) / sum);
-    }
-    return std::min({to_segment(c[0], c[1]), to_segment(c[1], c[2]), to_segment(c[2], c[0])});
-}
 
 // How many times smaller than what counts in full, >= 1.
 float small_size(float radius, const RefineSettings& settings) {
