@@ -15,7 +15,7 @@ namespace gg {
 namespace {
 
 constexpr std::uint32_t kFirstRays = 2;  // enough for faces that both get away from
-constexpr std::uint32_t kRays = 6;
+constexpr std::uint32_t kRays = 5;
 constexpr float kRoom = 0.5F;  // how far a ray must get, as a share of the instance's size
 // Whose hemisphere is open by no more than the first share gets next to no light from outside, by the second and more
 // about as much as any [measured: armchair, sofa, dresser, books, bear, peace lily of the furnished room].

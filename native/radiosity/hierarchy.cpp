@@ -324,6 +324,19 @@ void Hierarchy::open(std::span<const NodeId> leaves, const Control& control) {
     open(mixed, control);
 }
 
+std::size_t Hierarchy::triangle_count(const Node& cluster) const {
+    const ClusterTree::Node& range = tree_node(cluster);
+    if (cluster.kind == NodeKind::kCluster) {
+        return range.end - range.begin;
+    }
+    std::size_t count = 0;
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
+        const std::uint32_t instance = faces_.instance_ids[faces_.instances.order[i]];
+        count += scene_.meshes[scene_.instances[instance].mesh].triangles.size();
+    }
+    return count;
+}
+
 bool Hierarchy::contains(const Node& cluster, std::uint32_t instance, std::uint32_t triangle) const {
     const ClusterTree::Node& range = tree_node(cluster);
     if (cluster.kind == NodeKind::kCluster) {

@@ -90,9 +90,10 @@ class Hierarchy {
     }
     [[nodiscard]] bool contains(const Node& cluster, std::uint32_t instance, std::uint32_t triangle) const;
 
-    // body(instance, triangle) for every triangle below a kInstances or kCluster node.
+    // body(instance, triangle) for every triangle below a kInstances or kCluster node, or for every stride-th.
     template <typename Body>
-    void for_each_triangle(const Node& node, const Body& body) const;
+    void for_each_triangle(const Node& node, const Body& body, std::uint32_t stride = 1) const;
+    [[nodiscard]] std::size_t triangle_count(const Node& cluster) const;
 
     [[nodiscard]] std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
 
@@ -115,21 +116,24 @@ class Hierarchy {
 };
 
 template <typename Body>
-void Hierarchy::for_each_triangle(const Node& node, const Body& body) const {
+void Hierarchy::for_each_triangle(const Node& node, const Body& body, std::uint32_t stride) const {
     const ClusterTree::Node& range = tree_node(node);
     if (node.kind == NodeKind::kCluster) {
         const auto& order = faces_.meshes[scene_.instances[node.instance].mesh].tree.order;
-        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+        for (std::uint32_t i = range.begin; i < range.end; i += stride) {
             body(node.instance, order[i]);
         }
         return;
     }
+    std::uint32_t skipped = 0;
     for (std::uint32_t i = range.begin; i < range.end; ++i) {
         const std::uint32_t instance = faces_.instance_ids[faces_.instances.order[i]];
         const auto count = static_cast<std::uint32_t>(scene_.meshes[scene_.instances[instance].mesh].triangles.size());
-        for (std::uint32_t triangle = 0; triangle < count; ++triangle) {
+        std::uint32_t triangle = skipped;
+        for (; triangle < count; triangle += stride) {
             body(instance, triangle);
         }
+        skipped = triangle - count;
     }
 }
 

@@ -4,12 +4,24 @@
 
 namespace gg {
 
+namespace {
+
+// Large clusters are summed up by some of their faces: they get opened sooner or later.
+std::uint32_t stride_of(const Hierarchy& hierarchy, const Node& node) {
+    constexpr std::size_t kEnough = 8192;
+    const bool glows = luminance(node.emission) > 0;  // by few of its faces, maybe
+    return glows ? 1 : static_cast<std::uint32_t>(hierarchy.triangle_count(node) / kEnough + 1);
+}
+
+}  // namespace
+
 FacingArea facing_area(const Hierarchy& hierarchy, const Node& node) {
     const Scene& scene = hierarchy.scene();
     const SceneFaces& faces = hierarchy.faces();
     FacingArea facing;
-    hierarchy.for_each_triangle(node, [&](std::uint32_t instance, std::uint32_t triangle) {
-        const Vec3 area_vector = world_area_vector(scene, instance, triangle);
+    const std::uint32_t stride = stride_of(hierarchy, node);
+    const auto add = [&](std::uint32_t instance, std::uint32_t triangle) {
+        const Vec3 area_vector = static_cast<float>(stride) * world_area_vector(scene, instance, triangle);
         const float area = length(area_vector);
         if (!(area > 0)) {
             return;
@@ -24,7 +36,8 @@ FacingArea facing_area(const Hierarchy& hierarchy, const Node& node) {
             facing.exposed[i] += front_side * front * basis[i] + back_side * back * mirrored;
             facing.sheltered[i] += front_side * front_shelter * basis[i] + back_side * back_shelter * mirrored;
         }
-    });
+    };
+    hierarchy.for_each_triangle(node, add, stride);
     return facing;
 }
 
@@ -59,9 +72,10 @@ LeafCluster make_leaf_cluster(const Hierarchy& hierarchy, const Node& node) {
     const Scene& scene = hierarchy.scene();
     const SceneFaces& faces = hierarchy.faces();
     LeafCluster leaf;
-    hierarchy.for_each_triangle(node, [&](std::uint32_t instance, std::uint32_t triangle) {
+    const std::uint32_t stride = stride_of(hierarchy, node);
+    const auto add = [&](std::uint32_t instance, std::uint32_t triangle) {
         const FaceColors& colors = faces.colors[faces.instance_colors[instance]];
-        const Vec3 area_vector = world_area_vector(scene, instance, triangle);
+        const Vec3 area_vector = static_cast<float>(stride) * world_area_vector(scene, instance, triangle);
         const float area = length(area_vector);
         if (!(area > 0)) {
             return;
@@ -88,7 +102,8 @@ LeafCluster make_leaf_cluster(const Hierarchy& hierarchy, const Node& node) {
                 leaf.emitted_power += kPi * area * colors.emission[triangle];
             }
         }
-    });
+    };
+    hierarchy.for_each_triangle(node, add, stride);
     return leaf;
 }
 

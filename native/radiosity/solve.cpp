@@ -14,7 +14,7 @@ namespace {
 constexpr float kCoarseness[] = {16, 4, 1};
 constexpr int kSweepsBetween = 5;
 constexpr int kSweepsAtEnd = 200;    // enough for a mean reflectance of 0.97
-constexpr double kConverged = 4e-4;  // change of the reflected power in one sweep, share of it
+constexpr double kConverged = 1e-3;  // change of the reflected power in one sweep, share of it
 
 struct Power {
     double emitted = 0, absorbed = 0;  // W, luminance
