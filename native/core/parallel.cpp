@@ -6,8 +6,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <exception>
-#include <thread>
 
 #include "core/control.h"
 
@@ -21,30 +19,6 @@ void run_with_threads(int threads, const std::function<void()>& work) {
 void run_alone(const std::function<void()>& work) {
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     run_with_threads(1, work);
-}
-
-void run_both(const std::function<void()>& here, const std::function<void()>& beside) {
-    if (tbb::this_task_arena::max_concurrency() < 2) {
-        here();
-        beside();
-        return;
-    }
-    std::exception_ptr failed_here, failed_beside;
-    const auto guarded = [](const std::function<void()>& work, std::exception_ptr& failed) {
-        try {
-            work();
-        } catch (...) {
-            failed = std::current_exception();
-        }
-    };
-    std::thread thread([&] { guarded(beside, failed_beside); });
-    guarded(here, failed_here);
-    thread.join();
-    for (const std::exception_ptr& failed : {failed_here, failed_beside}) {
-        if (failed) {
-            std::rethrow_exception(failed);
-        }
-    }
 }
 
 void parallel_blocks(std::size_t count, std::size_t block, const Control& control,

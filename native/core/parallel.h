@@ -18,10 +18,6 @@ void run_with_threads(int threads, const std::function<void()>& work);
 // code whose result depends on the number of threads. Keep it short.
 void run_alone(const std::function<void()>& work);
 
-// Runs both at the same time, `beside` on a thread of its own, unless this thread may use one thread only. Returns when
-// both have ended; throws what one of them threw, of `here` first.
-void run_both(const std::function<void()>& here, const std::function<void()>& beside);
-
 // body(begin, end) for consecutive blocks of `block` items that cover [0, count). Throws Cancelled between blocks.
 void parallel_blocks(std::size_t count, std::size_t block, const Control& control,
                      const std::function<void(std::size_t, std::size_t)>& body);

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/control.h"
-#include "core/parallel.h"
 #include "core/statistics.h"
 #include "radiosity/solve.h"
 #include "scene/build_scene.h"
@@ -66,14 +65,15 @@ std::shared_ptr<const PreparedScene> build(const SceneDescription& description, 
         result->scene = build_scene(description, control, messages);
     }
     {
-        control.begin_stage("textures and trees", 0.15F);
-        const StageTimer timer(statistics, "textures and trees");
-        const auto load = [&] {
-            result->textures = load_textures(description, control, messages);
-            result->colors.emplace(result->scene, result->textures, messages);
-        };
-        // Trees are built on one thread, see trace/embree_scene.cpp; the other ones have textures to read.
-        run_both(load, [&] { result->tracer = std::make_unique<RayTracer>(result->scene, control); });
+        control.begin_stage("textures", 0.1F);
+        const StageTimer timer(statistics, "textures");
+        result->textures = load_textures(description, control, messages);
+        result->colors.emplace(result->scene, result->textures, messages);
+    }
+    {
+        control.begin_stage("trace: build", 0.15F);
+        const StageTimer timer(statistics, "trace: build");
+        result->tracer = std::make_unique<RayTracer>(result->scene, control);
     }
     result->messages = messages.all();
     return result;

@@ -45,7 +45,7 @@ TEST_P(CancelTest, returns_within_a_second) {
 }
 
 INSTANTIATE_TEST_SUITE_P(stages, CancelTest,
-                         ::testing::Values("build scene", "textures and trees", "lighting", "picture"));
+                         ::testing::Values("build scene", "textures", "trace: build", "lighting", "picture"));
 
 TEST(cancel, destroying_a_running_render_cancels_it) {
     const Ground ground(500, 0.2F);

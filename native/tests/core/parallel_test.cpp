@@ -47,29 +47,6 @@ TEST(Parallel, ordered_reduce_gives_the_same_bytes_for_1_2_and_7_threads) {
     }
 }
 
-TEST(Parallel, both_run_to_their_end) {
-    for (const int threads : {1, 2}) {
-        int here = 0, beside = 0;
-        run_with_threads(threads, [&] { run_both([&] { here = 1; }, [&] { beside = 2; }); });
-        EXPECT_EQ(here, 1);
-        EXPECT_EQ(beside, 2);
-    }
-}
-
-TEST(Parallel, what_one_of_both_throws_comes_out_after_the_other_has_ended) {
-    for (const int threads : {1, 2}) {
-        std::atomic<bool> ended = false;
-        run_with_threads(threads, [&] {
-            EXPECT_THROW(run_both([&] { ended = true; }, [] { throw std::runtime_error("beside"); }),
-                         std::runtime_error);
-            EXPECT_TRUE(ended);
-            EXPECT_THROW(
-                run_both([] { throw std::invalid_argument("here"); }, [] { throw std::runtime_error("beside"); }),
-                std::invalid_argument);
-        });
-    }
-}
-
 TEST(Parallel, ordered_reduce_adds_every_term_once) {
     const auto sum = ordered_reduce<std::size_t>(
         1001, 10, Control{}, 0,
