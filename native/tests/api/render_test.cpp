@@ -140,7 +140,7 @@ TEST_F(RenderTest, statistics_are_json_and_show_that_lighting_is_reused) {
     const char* json = nullptr;
     ASSERT_EQ(gg_render_statistics(first.handle, &json), GG_OK);
     EXPECT_THAT(json, ::testing::MatchesRegex(shape));
-    for (const char* key : {"\"build scene\"", "\"textures and trees\"", "\"picture\"", "\"triangles\": 128",
+    for (const char* key : {"\"build scene\"", "\"textures\"", "\"trace: build\"", "\"picture\"", "\"triangles\": 128",
                             "\"instances\": 1", "\"lamps\": 1", "\"dropped samples\": 0"}) {
         EXPECT_NE(std::strstr(json, key), nullptr) << key << json;
     }
