@@ -1,7 +1,6 @@
 #include "core/parallel.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -14,11 +13,6 @@ namespace gg {
 void run_with_threads(int threads, const std::function<void()>& work) {
     tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
     arena.execute(work);
-}
-
-void run_alone(const std::function<void()>& work) {
-    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    run_with_threads(1, work);
 }
 
 void parallel_blocks(std::size_t count, std::size_t block, const Control& control,

@@ -14,10 +14,6 @@ class Control;
 // Runs `work` with at most `threads` threads (0: all cores) in every loop that it starts.
 void run_with_threads(int threads, const std::function<void()>& work);
 
-// Runs `work` while no TBB task of this process gets a second thread, other libraries' own arenas included: for foreign
-// code whose result depends on the number of threads. Keep it short.
-void run_alone(const std::function<void()>& work);
-
 // body(begin, end) for consecutive blocks of `block` items that cover [0, count). Throws Cancelled between blocks.
 void parallel_blocks(std::size_t count, std::size_t block, const Control& control,
                      const std::function<void(std::size_t, std::size_t)>& body);

@@ -24,8 +24,8 @@ struct FaceColors {
     std::vector<double> emission_prefix;  // of area * luminance of emission in tree order, size triangles + 1; or empty
 };
 
-// Share of a triangle's front and back above which there is some room: faces that lie on each other, or inside of a
-// cushion, get no light and must not take part in a cluster's means. 0..1, never quite 0, 0 only where Sides says so.
+// By how much each side of a triangle shares in the light that comes to its cluster from afar: none inside of a
+// cushion, in full where much of the hemisphere is open. 0..1, never quite 0, 0 only where Sides says so.
 struct Exposure {
     float front = 1, back = 1;
     float front_shelter = 0, back_shelter = 0;  // how much of its own instance a side sees, unless it is covered

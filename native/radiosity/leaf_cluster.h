@@ -10,17 +10,15 @@ namespace gg {
 
 // What a leaf cluster does with light, summed over its faces so that no iteration visits them.
 struct LeafCluster {
-    // Of what arrives from afar at an exposure of 1, and from within at a shelter of 1; m2 that times such a form give
-    // W.
-    ReflectionOperator reflect, reflect_near;
-    std::array<float, kFormSize> arriving{}, arriving_near{};
-    DirectionalForm emission;  // W/sr
-    Rgb emitted_power{0.0F};   // W
-    double area = 0;           // m2, every lit side
+    ReflectionOperator reflect;       // of what arrives from afar, at an exposure of 1
+    ReflectionOperator reflect_near;  // of what arrives from within, at a shelter of 1
+    DirectionalForm emission;         // W/sr
+    Rgb emitted_power{0.0F};          // W
+    double area = 0;                  // m2, every lit side
 };
 
-// The area of a cluster's faces that faces a direction, as they are and times their exposure, m2: moments of
-// form_basis.
+// The lit sides of a cluster's faces as moments of form_basis, m2: as they are, times exposure and times shelter. Such
+// moments times a form that falls on all faces alike, or at an exposure or a shelter of 1, are its power.
 struct FacingArea {
     std::array<float, kFormSize> area{}, exposed{}, sheltered{};
 };

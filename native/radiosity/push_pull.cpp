@@ -72,10 +72,11 @@ void Lighting::pull(NodeId id) {
         const auto inverse_area = static_cast<float>(1.0 / std::max(leaf.area, 1e-30));
         radiosity_[id] = (leaf.emitted_power + reflected) * inverse_area;
         spread_[id] = 0;
+        const FacingArea& facing = facing_[slot_[id]];
         Rgb arriving(0.0F);
         for (std::size_t i = 0; i < kFormSize; ++i) {
-            arriving += leaf.arriving[i] * light.far.coefficients[i];
-            arriving += leaf.arriving_near[i] * light.near.coefficients[i];
+            arriving += facing.exposed[i] * light.far.coefficients[i];
+            arriving += facing.sheltered[i] * light.near.coefficients[i];
         }
         irradiance_[id] = glm::max(arriving, Rgb(0.0F)) * inverse_area;
         return;

@@ -84,7 +84,8 @@ ShadowRays make_shadow_rays(const Hierarchy& hierarchy, const Node& receiver, co
 Seen trace_shadow_rays(const RayTracer& tracer, const ShadowRays& pairs, int count, float reach) {
     Seen result;
     tracer.occluded(std::span<const Ray>(pairs.rays.data(), pairs.count),
-                    std::span<std::uint8_t>(result.blocked.data(), pairs.count), RayMask::kLight, Coherence::kIncoherent);
+                    std::span<std::uint8_t>(result.blocked.data(), pairs.count), RayMask::kLight,
+                    Coherence::kIncoherent);
     std::array<float, kQuarters> seen{}, total{};
     float near = 0;
     for (std::size_t i = 0; i < pairs.count; ++i) {

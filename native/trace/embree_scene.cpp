@@ -54,10 +54,8 @@ OwnedScene make_scene(RTCDevice device, const Control& control) {
     return scene;
 }
 
-// On one thread: Embree splits its work by the threads that it has, the tree depends on that, and with it which of two
-// triangles a ray through their common edge hits. Pictures of large scenes would differ in last bits from run to run.
 void commit(RTCScene scene) {
-    run_alone([&] { rtcCommitScene(scene); });
+    rtcCommitScene(scene);
     // The function's Control dies before the scene.
     rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
 }

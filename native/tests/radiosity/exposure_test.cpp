@@ -55,7 +55,7 @@ TEST(Exposure, sharing_out_keeps_power) {
         const float factor = share_out_far(facing, light);
         for (std::size_t i = 0; i < kFormSize; ++i) {
             alike += facing.area[i] * light.coefficients[i].r;
-            shared += leaf.arriving[i] * factor * light.coefficients[i].r;
+            shared += facing.exposed[i] * factor * light.coefficients[i].r;
         }
         EXPECT_NEAR(shared / alike, 1, 1e-4);
         EXPECT_GE(factor, 1);
