@@ -73,6 +73,12 @@ using Sequence6 = AdditiveSequence<6>;
     return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
+// Direction of the hemisphere around +z from the unit square, its density the cosine over pi: a disk point lifted up.
+[[nodiscard]] inline Vec3 square_to_cosine_hemisphere(float u, float v) {
+    const Vec2 disk = square_to_disk(u, v);
+    return {disk, std::sqrt(std::max(0.0F, 1 - dot(disk, disk)))};
+}
+
 // Uniform barycentric weights (of corners 0, 1, 2) from the unit square, low distortion [Heitz 2019].
 [[nodiscard]] inline Vec3 square_to_triangle(float u, float v) {
     if (v > u) {

@@ -59,7 +59,7 @@ class Surveyor {
             const Vec3 front = normalize_or_zero(world_area_vector(scene_, instance_, triangle));
             const Sides sides = scene_.sides_of(instance_, triangle);
             for (const bool back : {false, true}) {
-                if (sides == Sides::kBoth || back == (sides == Sides::kBack)) {
+                if (has_side(sides, back)) {
                     const FaceSide face{triangle, back, back ? -front : front};
                     group_for(face, together ? first : groups_.size(), size).faces.push_back(face);
                 }
@@ -116,10 +116,9 @@ class Surveyor {
                 const auto corner = world_triangle(scene_, instance_, face.triangle);
                 const Vec3 w = square_to_triangle(sequence(k, 0), sequence(k, 1));
                 const Vec3 x = w.x * corner[0] + w.y * corner[1] + w.z * corner[2];
-                const Vec2 disk = square_to_disk(sequence(k, 2), sequence(k, 3));
-                const float z = std::sqrt(std::max(0.0F, 1 - dot(disk, disk)));
-                rays_.push_back({offset_origin(x, face.normal, reach_),
-                                 Frame(face.normal).to_world({disk.x, disk.y, z}), 0, reach_});
+                const Vec3 direction = square_to_cosine_hemisphere(sequence(k, 2), sequence(k, 3));
+                rays_.push_back(
+                    {offset_origin(x, face.normal, reach_), Frame(face.normal).to_world(direction), 0, reach_});
             }
         }
         hits_.resize(rays_.size());

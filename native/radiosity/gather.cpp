@@ -97,7 +97,7 @@ void Lighting::gather(NodeId receiver) {
             const Vec3 towards = normalize_or_zero(to.center - from.center);
             arriving = dimming_ * kPi * factor * evaluate_clamped(intensity_[slot_[link.sender]], towards);
         } else {
-            arriving = dimming_ * factor * link.brightness * radiosity_[link.sender];
+            arriving = dimming_ * factor * balance_[from.instance] * link.brightness * radiosity_[link.sender];
         }
         if (to.kind == NodeKind::kElement) {
             for (int k = 0; k < 3; ++k) {

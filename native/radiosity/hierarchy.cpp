@@ -49,7 +49,7 @@ void Hierarchy::list_item_children(NodeId id, std::vector<Node>& children) const
     const auto add_triangle = [&](std::uint32_t triangle) {
         const Sides sides = scene_.sides_of(node.instance, triangle);
         for (const bool back : {false, true}) {
-            if (sides == Sides::kBoth || back == (sides == Sides::kBack)) {
+            if (has_side(sides, back)) {
                 children.push_back(make_element(node.instance, triangle, back, id));
             }
         }

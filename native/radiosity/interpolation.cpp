@@ -115,7 +115,7 @@ class VertexBuilder {
             for (const std::uint32_t vertex : mesh_.shading_vertices[triangle]) {
                 const Vec3 normal = normalize_or_zero(to_world * mesh_.normals[vertex]);
                 for (const bool back : {false, true}) {
-                    if (sides == Sides::kBoth || back == (sides == Sides::kBack)) {
+                    if (has_side(sides, back)) {
                         sums_[back][vertex] +=
                             solution_.lighting.irradiance_of_face(cluster, exposure, back, back ? -normal : normal);
                         weights_[back][vertex] += 1;

@@ -61,12 +61,14 @@ void Lighting::find_facing_areas(const Control& control) {
                  [&](std::size_t i) { facing_[slot_[missing[i]]] = facing_area(hierarchy_, hierarchy_[missing[i]]); });
 }
 
-// What is brighter for one receiver is darker for another: all that an object's elements send stays the same. Few
-// samples see too much of a bright middle, and that would add up over the reflections.
-void Lighting::balance_brightness(Links& links) const {
+// Few samples see too much of the bright middle of an element, and in a closed room that adds up over the reflections.
+// Half of the difference to what an object's elements would send when even is taken back; not all, since what is bright
+// may in truth see more.
+void Lighting::balance_brightness() {
     const auto& nodes = hierarchy_.nodes();
-    std::vector<double> even(hierarchy_.scene().instances.size()), uneven(even.size());
-    for (const Link& link : links.all) {
+    balance_.assign(hierarchy_.scene().instances.size(), 1.0F);
+    std::vector<double> even(balance_.size()), uneven(balance_.size());
+    for (const Link& link : links_) {
         const Node& from = nodes[link.sender];
         if (from.kind == NodeKind::kElement) {
             const double facing = nodes[link.receiver].kind == NodeKind::kElement ? 1 : 0.25;
@@ -76,18 +78,15 @@ void Lighting::balance_brightness(Links& links) const {
             uneven[from.instance] += power * link.brightness;
         }
     }
-    for (Link& link : links.all) {
-        const Node& from = nodes[link.sender];
-        if (from.kind == NodeKind::kElement && uneven[from.instance] > 0) {
-            link.brightness *= static_cast<float>(std::sqrt(even[from.instance] / uneven[from.instance]));
-        }
+    for (std::size_t i = 0; i < balance_.size(); ++i) {
+        balance_[i] = uneven[i] > 0 ? static_cast<float>(std::sqrt(even[i] / uneven[i])) : 1.0F;
     }
 }
 
 void Lighting::set_links(Links& links, const Control& control) {
-    balance_brightness(links);
     links_ = links.all;
     hits_ = links.hits;
+    balance_brightness();
     link_begin_.assign(hierarchy_.nodes().size() + 1, 0);
     for (const Link& link : links.all) {
         ++link_begin_[link.receiver + 1];

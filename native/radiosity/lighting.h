@@ -67,7 +67,7 @@ class Lighting {
         DirectionalForm far, near;  // at an exposure of 1, at a shelter of 1
     };
 
-    void balance_brightness(Links& links) const;
+    void balance_brightness();
     void make_leaf_clusters(const Control& control);
     void find_facing_areas(const Control& control);
     void gather(NodeId receiver);
@@ -96,7 +96,8 @@ class Lighting {
     std::span<const NearHit> hits_;
     std::vector<std::uint32_t> link_order_, link_begin_;
     double reflected_power_ = 0;
-    float dimming_ = 1;  // of light between surfaces
+    std::vector<float> balance_;  // per instance: factor on what its elements send over uneven links
+    float dimming_ = 1;           // of light between surfaces
 };
 
 }  // namespace gg

@@ -57,11 +57,10 @@ void estimate_near(const Hierarchy& hierarchy, const RayTracer& tracer, const No
         if (sequence(i, 5) >= x.front) {
             x.normal = -x.normal;
         }
-        const Vec2 disk = square_to_disk(sequence(i, 3), sequence(i, 4));
-        const float z = std::sqrt(std::max(0.0F, 1 - dot(disk, disk)));
+        const Vec3 direction = square_to_cosine_hemisphere(sequence(i, 3), sequence(i, 4));
         normals[k] = x.normal;
-        rays[k] = {offset_origin(x.position, x.normal, receiver.radius), Frame(x.normal).to_world({disk.x, disk.y, z}),
-                   0, kInfinity};
+        rays[k] = {offset_origin(x.position, x.normal, receiver.radius), Frame(x.normal).to_world(direction), 0,
+                   kInfinity};
     }
     const auto n = static_cast<std::size_t>(count);
     tracer.closest_hits(std::span<const Ray>(rays.data(), n), std::span<Hit>(hits.data(), n), RayMask::kLight,

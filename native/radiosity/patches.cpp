@@ -55,10 +55,9 @@ class PatchBuilder {
         for (std::uint32_t k = first; k < last; ++k) {
             const Corners3 c = quarter_of(patch, static_cast<int>(k % kQuarters));
             const Vec3 w = square_to_triangle(sequence(k, 0), sequence(k, 1));
-            const Vec2 disk = square_to_disk(sequence(k, 2), sequence(k, 3));
-            const float z = std::sqrt(std::max(0.0F, 1 - dot(disk, disk)));
+            const Vec3 direction = square_to_cosine_hemisphere(sequence(k, 2), sequence(k, 3));
             rays[k - first] = {offset_origin(w.x * c[0] + w.y * c[1] + w.z * c[2], normal_, reach),
-                               frame_.to_world({disk.x, disk.y, z}), 0, reach};
+                               frame_.to_world(direction), 0, reach};
         }
         const std::size_t count = last - first;
         tracer_.occluded(std::span<const Ray>(rays.data(), count), std::span<std::uint8_t>(blocked.data(), count),
@@ -139,7 +138,7 @@ std::vector<Side> large_faces(const Scene& scene, std::span<const std::uint32_t>
             }
             const Sides sides = scene.sides_of(instance, triangle);
             for (const bool back : {false, true}) {
-                if (sides == Sides::kBoth || back == (sides == Sides::kBack)) {
+                if (has_side(sides, back)) {
                     found[i].push_back({instance, triangle, back});
                 }
             }

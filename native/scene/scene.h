@@ -16,6 +16,10 @@ using TriangleCorners = std::array<std::uint32_t, 3>;
 // Which sides of a triangle light can reach. A closed solid is dark inside.
 enum class Sides : std::uint8_t { kBoth, kFront, kBack };
 
+[[nodiscard]] constexpr bool has_side(Sides sides, bool back) {
+    return sides == Sides::kBoth || back == (sides == Sides::kBack);
+}
+
 // One mesh in object space. Front is the side to which (v1 - v0) x (v2 - v0) points.
 struct Mesh {
     std::string name;

@@ -103,5 +103,19 @@ TEST(Random, triangle_weights_are_positive_sum_to_one_and_average_to_a_third) {
     }
 }
 
+TEST(Random, cosine_hemisphere_has_its_mean_and_unit_length) {
+    constexpr int kSide = 128;
+    Vec3 sum(0.0F);
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const Vec3 d = square_to_cosine_hemisphere((static_cast<float>(i % kSide) + 0.5F) / kSide,
+                                                   (static_cast<float>(i / kSide) + 0.5F) / kSide);
+        EXPECT_NEAR(length(d), 1, 1e-6F);
+        EXPECT_GE(d.z, 0);
+        sum += d;
+    }
+    // The mean cosine under a density of cosine over pi is 2/3.
+    EXPECT_LT(length(sum / static_cast<float>(kSide * kSide) - Vec3(0, 0, 2.0F / 3)), 1e-3F);
+}
+
 }  // namespace
 }  // namespace gg

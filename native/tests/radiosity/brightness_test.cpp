@@ -70,5 +70,33 @@ TEST(Brightness, times_the_mean_is_what_the_leaves_send) {
     EXPECT_NEAR(at_once / leaves, 1, 0.2);
 }
 
+// All the light of a small plate close above a large floor lands on it, though none of the floor's few points is near.
+TEST(SmallSender, sends_all_it_has_to_the_floor_below_it) {
+    SceneBuilder builder;
+    const std::uint32_t grey = builder.material(Rgb(0.5F));
+    builder.quad({0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}, grey, "floor");
+    builder.quad({6, 1, 0.02F}, {6, 1.2F, 0.02F}, {6.2F, 1.2F, 0.02F}, {6.2F, 1, 0.02F}, grey, "plate");
+    builder.area_light({4, 4, 3}, {0, 0, -1}, 1, Rgb(100));
+    Prepared prepared(builder.description);
+    const auto solution = prepared.solve(0.05F);
+    const auto& nodes = solution->hierarchy.nodes();
+    double received = 0, sent = 0;
+    for (NodeId sender = 0; sender < nodes.size(); ++sender) {
+        if (nodes[sender].kind != NodeKind::kElement || nodes[sender].depth > 0 || nodes[sender].instance != 1 ||
+            nodes[sender].normal.z > 0) {
+            continue;
+        }
+        sent += nodes[sender].area;
+        for (NodeId floor = 0; floor < nodes.size(); ++floor) {
+            if (nodes[floor].kind == NodeKind::kElement && nodes[floor].depth == 0 && nodes[floor].instance == 0 &&
+                !nodes[floor].back) {
+                received += nodes[floor].area * prepared.estimate(solution->hierarchy, floor, sender, 64).form_factor;
+            }
+        }
+    }
+    ASSERT_NEAR(sent, 0.04, 1e-6);
+    EXPECT_NEAR(received / sent, 1, 0.02);
+}
+
 }  // namespace
 }  // namespace gg::test
