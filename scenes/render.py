@@ -11,6 +11,8 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import scene_files as files
 
+# from the exported arrays to converged light
+SOLVE_STAGES = ("build scene", "textures", "trace: build", "clusters", "refine", "gather", "faces", "interpolate")
 
 def parse(arguments):
     parser = argparse.ArgumentParser(prog="scenes/render", description=__doc__.splitlines()[0])
@@ -35,8 +37,15 @@ def output_stem(options):
 
 
 def render(options):
-    """Render; returns {"exr", "png": path, "whole": seconds, "render": seconds, "statistics": {view layer: table}}."""
-    stem = output_stem(options)
+    """Render a scene of scene_files; returns what render_file returns."""
+    return render_file(files.scene_file(options.scene), output_stem(options), options)
+
+
+def render_file(blend, stem, options):
+    """Render a .blend file; the products' paths are `stem` and a suffix.
+
+    Returns {"exr", "png": path, "whole", "render": seconds, "peak": bytes, "statistics": {view layer: table}}.
+    """
     stem.parent.mkdir(parents=True, exist_ok=True)
     products = {kind: stem.with_name(f"{stem.name}.{kind}") for kind in ("exr", "png", "json")}
     for product in products.values():
@@ -45,8 +54,7 @@ def render(options):
                                                      "threads")}
     wishes.update(exr=str(products["exr"]), png=str(products["png"]), json=str(products["json"]))
     arguments = ["--addons", "gridgather"] if options.engine == "GRIDGATHER" else []
-    arguments += [files.scene_file(options.scene), "--python", files.SCENES / "render_scene.py", "--",
-                  json.dumps(wishes)]
+    arguments += [blend, "--python", files.SCENES / "render_scene.py", "--", json.dumps(wishes)]
     start = time.monotonic()
     files.run_blender(arguments, {"BLENDER_USER_SCRIPTS": str(files.BUILD / "scripts")})
     whole = time.monotonic() - start
@@ -66,12 +74,22 @@ def flat(table, prefix=""):
             yield f"{prefix}{key}", value
 
 
+def stages(result):
+    """{stage: seconds} of a render's only view layer; empty for other engines."""
+    return next(iter(result["statistics"].values()), {}).get("stages", {})
+
+
+def solve_seconds(result):
+    return sum(seconds for stage, seconds in stages(result).items() if stage in SOLVE_STAGES)
+
+
 def report(result):
     for layer, table in result["statistics"].items():
         print(f"{layer}:")
         for name, value in flat(table):
             print(f"  {name:36} {value:>14,.3f}" if isinstance(value, float) else f"  {name:36} {value!s:>14}")
     print(f"{'render':38} {result['render']:14.2f} s\n{'whole process':38} {result['whole']:14.2f} s")
+    print(f"{'peak memory':38} {result['peak'] / 1e6:14.0f} MB")
     print(f"{result['exr']}\n{result['png']}")
 
 

@@ -1,9 +1,10 @@
 """The part of scenes/render that runs in Blender: blender -b SCENE.blend --python render_scene.py -- JSON
 
 JSON holds the wishes (engine, percent, preset, method, quality, samples, threads; null: as the scene has it) and the
-paths to write: exr, png, json (the time of the render and the engine's statistics).
+paths to write: exr, png, json (the time of the render, the process's peak memory in bytes, the engine's statistics).
 """
 import json
+import resource
 import sys
 import time
 
@@ -42,8 +43,9 @@ def main():
     write(scene, wishes["exr"], "OPEN_EXR", "32")
     write(scene, wishes["png"], "PNG", "8")
     statistics = json.loads(getattr(scene, "gridgather_statistics", "") or "{}")
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
     with open(wishes["json"], "w") as file:
-        json.dump({"render": seconds, "statistics": statistics}, file)
+        json.dump({"render": seconds, "peak": peak, "statistics": statistics}, file)
 
 
 main()

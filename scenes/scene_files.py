@@ -4,13 +4,15 @@ Everything made lies under build/, named after the scene and a hash of what make
 """
 import hashlib
 import os
+import re
 import shlex
 import subprocess
 from pathlib import Path
 
 SCENES = Path(__file__).resolve().parent
 BUILD = SCENES.parent / "build"
-TRUTH_SAMPLES = {"cornell_box": 2048, "furnace": 64, "room": 1024, "startup": 2048}
+TRUTH_SAMPLES = {"attic": 2048, "cornell_box": 2048, "furnace": 64, "library": 1024, "room": 1024, "startup": 2048,
+                 "toy_room": 1024}
 TRUTH_PERCENT = 50  # of the scene's own picture size
 
 
@@ -22,14 +24,25 @@ def scene_names():
     return sorted(TRUTH_SAMPLES)
 
 
-def scene_hash(name):
-    """12 hex digits for all that builds the scene: its script, its own helpers (NAME_*.py) and scene_tools.py."""
-    if not (SCENES / f"{name}.py").is_file() or name not in TRUTH_SAMPLES:
-        raise SceneError(f"no scene {name!r}; there are: {', '.join(scene_names())}")
+def sources_hash(name):
+    """12 hex digits for a script of this folder and every module of the folder that it comes to import."""
+    sources, waiting = set(), [name]
+    while waiting:
+        source = SCENES / f"{waiting.pop()}.py"
+        if source.is_file() and source not in sources:
+            sources.add(source)
+            waiting += re.findall(r"^(?:from|import) (\w+)", source.read_text(), re.MULTILINE)
     digest = hashlib.sha256()
-    for source in [SCENES / f"{name}.py", *sorted(SCENES.glob(f"{name}_*.py")), SCENES / "scene_tools.py"]:
+    for source in sorted(sources, key=lambda source: (source.stem != name, source)):
         digest.update(source.read_bytes())
     return digest.hexdigest()[:12]
+
+
+def scene_hash(name):
+    """The hash of all that builds a scene."""
+    if not (SCENES / f"{name}.py").is_file() or name not in TRUTH_SAMPLES:
+        raise SceneError(f"no scene {name!r}; there are: {', '.join(scene_names())}")
+    return sources_hash(name)
 
 
 def run_blender(arguments, environment=None):

@@ -8,9 +8,9 @@
 
 namespace gg {
 
-// By rays from the faces of one placed instance, which stands for all instances of its mesh; only its own faces are in
-// their way. `tree` holds all its triangles; those of a leaf that lie alike share their rays.
-[[nodiscard]] std::vector<Exposure> find_exposure(const Scene& scene, std::uint32_t instance, const ClusterTree& tree,
+// By rays from the groups of faces of one placed instance, which stands for all instances of its mesh; only its own
+// faces are in their way. Groups are split into what is covered from close by and what is not.
+[[nodiscard]] std::vector<Exposure> find_exposure(const Scene& scene, std::uint32_t instance, FaceGroups& groups,
                                                   const RayTracer& tracer, const Control& control);
 
 }  // namespace gg

@@ -16,7 +16,8 @@ constexpr std::uint32_t kTrianglesPerLeaf = 8;
 constexpr std::uint32_t kInstancesPerLeaf = 1;
 constexpr float kPatch = 1.0F / 64;  // smallest patch, as a share of the scene's size
 
-MeshFaces make_mesh_faces(const Scene& scene, std::uint32_t instance, const RayTracer& tracer, const Control& control) {
+MeshFaces make_mesh_faces(const Scene& scene, std::uint32_t instance, float scene_size, const RayTracer& tracer,
+                          const Control& control) {
     const Mesh& mesh = scene.meshes[scene.instances[instance].mesh];
     std::vector<Box> boxes(mesh.triangles.size());
     parallel_for(boxes.size(), 4096, control, [&](std::size_t t) {
@@ -26,7 +27,8 @@ MeshFaces make_mesh_faces(const Scene& scene, std::uint32_t instance, const RayT
     });
     MeshFaces faces;
     faces.tree = build_cluster_tree(boxes, kTrianglesPerLeaf, control);
-    faces.exposure = find_exposure(scene, instance, faces.tree, tracer, control);
+    faces.groups = group_faces(scene, instance, faces.tree, scene_size, control);
+    faces.exposure = find_exposure(scene, instance, faces.groups, tracer, control);
     faces.rank.resize(boxes.size());
     for (auto* prefix : {&faces.area_prefix, &faces.exposed_prefix}) {
         prefix->resize(boxes.size() + 1);
@@ -93,12 +95,14 @@ SceneFaces make_scene_faces(const Scene& scene, const SurfaceColors& colors, con
     std::vector<std::uint32_t> first_user;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> color_ids;
     std::vector<bool> seen(scene.meshes.size());
+    Box bounds;
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];
         if (instance.flags & GG_HIDDEN_FROM_LIGHT) {
             continue;
         }
         faces.instance_ids.push_back(i);
+        bounds.extend(instance.bounds);
         if (!seen[instance.mesh]) {
             seen[instance.mesh] = true;
             used.push_back(i);
@@ -110,8 +114,9 @@ SceneFaces make_scene_faces(const Scene& scene, const SurfaceColors& colors, con
         }
         faces.instance_colors[i] = entry->second;
     }
+    const float scene_size = used.empty() ? 0 : bounds.diameter();
     parallel_for(used.size(), 1, control, [&](std::size_t i) {
-        faces.meshes[scene.instances[used[i]].mesh] = make_mesh_faces(scene, used[i], tracer, control);
+        faces.meshes[scene.instances[used[i]].mesh] = make_mesh_faces(scene, used[i], scene_size, tracer, control);
     });
     faces.colors.resize(first_user.size());
     parallel_for(first_user.size(), 1, control, [&](std::size_t i) {
@@ -147,8 +152,7 @@ SceneFaces make_scene_faces(const Scene& scene, const SurfaceColors& colors, con
                 faces.instance_exposed_prefix[i] + scale * mesh.exposed_prefix.back();
             faces.instance_rank[instance] = i;
         }
-        faces.patches = find_patches(scene, faces.instance_ids, kPatch * faces.instances.nodes[0].bounds.diameter(),
-                                     tracer, control);
+        faces.patches = find_patches(scene, faces.instance_ids, kPatch * scene_size, tracer, control);
     }
     return faces;
 }

@@ -7,6 +7,7 @@
 
 #include "core/vec.h"
 #include "radiosity/cluster_tree.h"
+#include "radiosity/face_groups.h"
 #include "radiosity/patches.h"
 #include "scene/scene.h"
 
@@ -34,7 +35,8 @@ struct Exposure {
 };
 
 struct MeshFaces {
-    ClusterTree tree;                // over triangles, object space
+    ClusterTree tree;  // over triangles, object space
+    FaceGroups groups;
     std::vector<Exposure> exposure;  // per triangle
     // Sums over the triangles in tree order, size triangles + 1: object-space area of every lit side, and times
     // exposure.

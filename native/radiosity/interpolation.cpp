@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "gridgather.h"
+#include "radiosity/instance_parts.h"
 #include "radiosity/quarter.h"
 #include "radiosity/t_vertices.h"
 
@@ -23,15 +24,8 @@ class VertexBuilder {
           out_(out) {}
 
     void add_elements(std::span<const NodeId> roots) {
-        if (roots.empty()) {
-            return;
-        }
-        const auto& nodes = solution_.hierarchy.nodes();
         for (const NodeId root : roots) {
-            auto& table = nodes[root].back ? out_.back_element : out_.front_element;
-            table.resize(mesh_.triangles.size(), kNone);
-            table[nodes[root].source] = root;
-            make_midpoints(root, mesh_.shading_vertices[nodes[root].source]);
+            make_midpoints(root, mesh_.shading_vertices[solution_.hierarchy[root].source]);
         }
     }
 
@@ -104,32 +98,23 @@ class VertexBuilder {
         }
     }
 
-    // Faces that stayed in a cluster: the cluster's light on the shading normals of their corners.
+    // Faces that stayed in a cluster: the light of their group.
     void add_cluster(NodeId cluster) {
         const Hierarchy& hierarchy = solution_.hierarchy;
         const Scene& scene = hierarchy.scene();
-        const Mat3& to_world = scene.instances[instance_].normal_to_world;
-        const auto add = [&](std::uint32_t, std::uint32_t triangle) {
+        for_each_triangle_in(hierarchy, cluster, instance_, [&](std::uint32_t triangle) {
             const Sides sides = scene.sides_of(instance_, triangle);
-            const Exposure& exposure = hierarchy.faces().meshes[scene.instances[instance_].mesh].exposure[triangle];
-            for (const std::uint32_t vertex : mesh_.shading_vertices[triangle]) {
-                const Vec3 normal = normalize_or_zero(to_world * mesh_.normals[vertex]);
-                for (const bool back : {false, true}) {
-                    if (has_side(sides, back)) {
-                        sums_[back][vertex] +=
-                            solution_.lighting.irradiance_of_face(cluster, exposure, back, back ? -normal : normal);
+            for (const bool back : {false, true}) {
+                if (has_side(sides, back)) {
+                    const Rgb irradiance =
+                        solution_.face_light.irradiance(hierarchy.faces(), scene, instance_, triangle, back);
+                    for (const std::uint32_t vertex : mesh_.shading_vertices[triangle]) {
+                        sums_[back][vertex] += irradiance;
                         weights_[back][vertex] += 1;
                     }
                 }
             }
-        };
-        if (hierarchy[cluster].kind == NodeKind::kCluster) {
-            hierarchy.for_each_triangle(hierarchy[cluster], add);
-        } else {
-            for (std::uint32_t triangle = 0; triangle < mesh_.triangles.size(); ++triangle) {
-                add(instance_, triangle);
-            }
-        }
+        });
     }
 
     void store(int side, std::vector<Rgb>& values) {
@@ -149,32 +134,6 @@ class VertexBuilder {
     std::array<std::vector<Rgb>, 2> sums_;
     std::array<std::vector<float>, 2> weights_;
 };
-
-struct InstanceParts {
-    std::vector<NodeId> element_roots, leaf_clusters;
-};
-
-std::vector<InstanceParts> parts_of_instances(const Hierarchy& hierarchy) {
-    std::vector<InstanceParts> parts(hierarchy.scene().instances.size());
-    const auto& nodes = hierarchy.nodes();
-    for (NodeId id = 0; id < nodes.size(); ++id) {
-        const Node& node = nodes[id];
-        if (node.kind == NodeKind::kElement && node.depth == 0) {
-            parts[node.instance].element_roots.push_back(id);
-        } else if (is_cluster(node) && node.child_count == 0 && hierarchy.has_geometry()) {
-            if (node.kind == NodeKind::kCluster) {
-                parts[node.instance].leaf_clusters.push_back(id);
-                continue;
-            }
-            const ClusterTree::Node& range = hierarchy.tree_node(node);
-            for (std::uint32_t i = range.begin; i < range.end; ++i) {
-                const std::uint32_t item = hierarchy.faces().instances.order[i];
-                parts[hierarchy.faces().instance_ids[item]].leaf_clusters.push_back(id);
-            }
-        }
-    }
-    return parts;
-}
 
 Rgb blend(const std::vector<Rgb>& values, const Corners& vertices, Vec2 place) {
     return (1 - place.x - place.y) * values[vertices[0]] + place.x * values[vertices[1]] +
@@ -213,9 +172,23 @@ Rgb look_up_piece(const InstanceVertices& vertices, const std::vector<Rgb>& valu
 
 }  // namespace
 
+void find_elements(Solution& solution) {
+    const auto& nodes = solution.hierarchy.nodes();
+    const Scene& scene = solution.hierarchy.scene();
+    solution.vertices.resize(scene.instances.size());
+    for (NodeId id = 0; id < nodes.size(); ++id) {
+        const Node& node = nodes[id];
+        if (node.kind == NodeKind::kElement && node.depth == 0) {
+            InstanceVertices& vertices = solution.vertices[node.instance];
+            auto& table = node.back ? vertices.back_element : vertices.front_element;
+            table.resize(scene.meshes[scene.instances[node.instance].mesh].triangles.size(), kNone);
+            table[node.source] = id;
+        }
+    }
+}
+
 void interpolate_to_vertices(Solution& solution, const Control& control) {
     const auto parts = parts_of_instances(solution.hierarchy);
-    solution.vertices.resize(parts.size());
     solution.element_vertices.resize(solution.hierarchy.nodes().size());
     parallel_for(parts.size(), 1, control, [&](std::size_t i) {
         const auto instance = static_cast<std::uint32_t>(i);

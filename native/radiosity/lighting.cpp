@@ -160,7 +160,7 @@ PlaceOnElement Lighting::at(NodeId element, Vec3 point) const {
     }
     const std::array<Rgb, 3>& corners = corners_[slot_[id]];
     const Rgb irradiance = (1 - place.x - place.y) * corners[0] + place.x * corners[1] + place.y * corners[2];
-    result.radiosity = luminance(nodes[id].emission + nodes[id].reflectance * glm::max(irradiance, Rgb(0.0F)));
+    result.radiosity = nodes[id].emission + nodes[id].reflectance * glm::max(irradiance, Rgb(0.0F));
     return result;
 }
 

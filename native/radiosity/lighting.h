@@ -17,7 +17,7 @@ class Control;
 
 // A point of an element.
 struct PlaceOnElement {
-    float radiosity = 0;  // luminance, W/m2
+    Rgb radiosity{0.0F};  // W/m2
     float exposure = 1;   // of its patch
 };
 

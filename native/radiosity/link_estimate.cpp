@@ -149,7 +149,7 @@ float brightness_of_seen_parts(const Lighting& lighting, NodeId sender, const Sh
     double weights = 0, brightness = 0, seen_weights = 0, seen_brightness = 0;
     for (std::size_t i = 0; i < pairs.count; ++i) {
         const double weight = pairs.weights[i];
-        const double sent = weight * lighting.at(sender, pairs.targets[i]).radiosity;
+        const double sent = weight * luminance(lighting.at(sender, pairs.targets[i]).radiosity);
         weights += weight;
         brightness += sent;
         seen_weights += seen.blocked[i] ? 0 : weight;
@@ -168,7 +168,7 @@ float brightness_of_nearer_parts(const Lighting& lighting, const Node& receiver,
         const std::array<Vec3, 3> quarter = quarter_of(from.corner, i % kPoints);
         const std::array<Vec3, 3> part = close ? quarter_of(quarter, i / kPoints) : quarter;
         const Vec3 y = centroid(part);
-        const float brightness = lighting.at(sender, y).radiosity;
+        const float brightness = luminance(lighting.at(sender, y).radiosity);
         all += brightness;
         for (int k = 0; k < (close ? kPoints : 1); ++k) {
             const Vec3 x = close ? centroid(quarter_of(receiver.corner, k)) : receiver.center;

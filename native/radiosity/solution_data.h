@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "radiosity/face_light.h"
 #include "radiosity/hierarchy.h"
 #include "radiosity/lighting.h"
 #include "radiosity/link.h"
@@ -40,6 +41,7 @@ struct Solution {
     Lighting lighting;
     Links links;
     ReferenceWhite white;
+    FaceLight face_light;  // of faces in clusters
     std::vector<InstanceVertices> vertices;         // per instance
     std::vector<ElementVertices> element_vertices;  // per node; set for leaf elements
 };

@@ -1,5 +1,7 @@
 #include "radiosity/solve.h"
 
+#include <algorithm>
+
 #include "core/control.h"
 #include "core/statistics.h"
 #include "radiosity/interpolation.h"
@@ -77,6 +79,12 @@ void report(const Solution& solution, Statistics& statistics) {
                                                       solution.links.hits.capacity() * sizeof(NearHit)));
 }
 
+// Rays from a group of faces: 24 at the default quality.
+int face_rays(float quality) {
+    constexpr float kLeast = 8, kMost = 96;
+    return static_cast<int>(std::clamp(0.48F / quality, kLeast, kMost));
+}
+
 }  // namespace
 
 std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& colors, const RayTracer& tracer,
@@ -106,6 +114,12 @@ std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& c
         sweeps += solution->lighting.settle(most, kConverged, control);
     }
     statistics.set_count("sweeps", sweeps);
+    {
+        const StageTimer timer(statistics, "faces");
+        find_elements(*solution);
+        solution->face_light = gather_face_light(*solution, tracer, face_rays(settings.quality), control);
+        statistics.set_count("face groups", static_cast<double>(solution->face_light.count()));
+    }
     {
         const StageTimer timer(statistics, "interpolate");
         interpolate_to_vertices(*solution, control);

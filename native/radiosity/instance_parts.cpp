@@ -1,0 +1,27 @@
+#include "radiosity/instance_parts.h"
+
+namespace gg {
+
+std::vector<InstanceParts> parts_of_instances(const Hierarchy& hierarchy) {
+    std::vector<InstanceParts> parts(hierarchy.scene().instances.size());
+    const auto& nodes = hierarchy.nodes();
+    for (NodeId id = 0; id < nodes.size(); ++id) {
+        const Node& node = nodes[id];
+        if (node.kind == NodeKind::kElement && node.depth == 0) {
+            parts[node.instance].element_roots.push_back(id);
+        } else if (is_cluster(node) && node.child_count == 0 && hierarchy.has_geometry()) {
+            if (node.kind == NodeKind::kCluster) {
+                parts[node.instance].leaf_clusters.push_back(id);
+                continue;
+            }
+            const ClusterTree::Node& range = hierarchy.tree_node(node);
+            for (std::uint32_t i = range.begin; i < range.end; ++i) {
+                const std::uint32_t item = hierarchy.faces().instances.order[i];
+                parts[hierarchy.faces().instance_ids[item]].leaf_clusters.push_back(id);
+            }
+        }
+    }
+    return parts;
+}
+
+}  // namespace gg
