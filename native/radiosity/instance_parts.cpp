@@ -24,4 +24,20 @@ std::vector<InstanceParts> parts_of_instances(const Hierarchy& hierarchy) {
     return parts;
 }
 
+ElementTable find_elements(const Hierarchy& hierarchy) {
+    const Scene& scene = hierarchy.scene();
+    ElementTable elements;
+    elements.front.resize(scene.instances.size());
+    elements.back.resize(scene.instances.size());
+    for (NodeId id = 0; id < hierarchy.nodes().size(); ++id) {
+        const Node& node = hierarchy[id];
+        if (node.kind == NodeKind::kElement && node.depth == 0) {
+            std::vector<NodeId>& table = (node.back ? elements.back : elements.front)[node.instance];
+            table.resize(scene.meshes[scene.instances[node.instance].mesh].triangles.size(), kNone);
+            table[node.source] = id;
+        }
+    }
+    return elements;
+}
+
 }  // namespace gg

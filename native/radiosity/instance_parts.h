@@ -15,6 +15,19 @@ struct InstanceParts {
 // Per instance; empty for those that light does not reach.
 [[nodiscard]] std::vector<InstanceParts> parts_of_instances(const Hierarchy& hierarchy);
 
+// The element of a whole side of a triangle.
+struct ElementTable {
+    std::vector<std::vector<NodeId>> front, back;  // per instance, empty or per triangle
+
+    // kNone where the triangle stayed in a cluster.
+    [[nodiscard]] NodeId of(std::uint32_t instance, std::uint32_t triangle, bool on_back) const {
+        const std::vector<NodeId>& table = (on_back ? back : front)[instance];
+        return table.empty() ? kNone : table[triangle];
+    }
+};
+
+[[nodiscard]] ElementTable find_elements(const Hierarchy& hierarchy);
+
 // body(triangle) for every triangle of the instance in one of its leaf clusters.
 template <typename Body>
 void for_each_triangle_in(const Hierarchy& hierarchy, NodeId leaf_cluster, std::uint32_t instance, const Body& body) {

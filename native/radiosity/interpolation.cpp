@@ -106,8 +106,7 @@ class VertexBuilder {
             const Sides sides = scene.sides_of(instance_, triangle);
             for (const bool back : {false, true}) {
                 if (has_side(sides, back)) {
-                    const Rgb irradiance =
-                        solution_.face_light.irradiance(hierarchy.faces(), scene, instance_, triangle, back);
+                    const Rgb irradiance = solution_.face_light.irradiance(instance_, triangle, back);
                     for (const std::uint32_t vertex : mesh_.shading_vertices[triangle]) {
                         sums_[back][vertex] += irradiance;
                         weights_[back][vertex] += 1;
@@ -172,23 +171,9 @@ Rgb look_up_piece(const InstanceVertices& vertices, const std::vector<Rgb>& valu
 
 }  // namespace
 
-void find_elements(Solution& solution) {
-    const auto& nodes = solution.hierarchy.nodes();
-    const Scene& scene = solution.hierarchy.scene();
-    solution.vertices.resize(scene.instances.size());
-    for (NodeId id = 0; id < nodes.size(); ++id) {
-        const Node& node = nodes[id];
-        if (node.kind == NodeKind::kElement && node.depth == 0) {
-            InstanceVertices& vertices = solution.vertices[node.instance];
-            auto& table = node.back ? vertices.back_element : vertices.front_element;
-            table.resize(scene.meshes[scene.instances[node.instance].mesh].triangles.size(), kNone);
-            table[node.source] = id;
-        }
-    }
-}
-
 void interpolate_to_vertices(Solution& solution, const Control& control) {
     const auto parts = parts_of_instances(solution.hierarchy);
+    solution.vertices.resize(parts.size());
     solution.element_vertices.resize(solution.hierarchy.nodes().size());
     parallel_for(parts.size(), 1, control, [&](std::size_t i) {
         const auto instance = static_cast<std::uint32_t>(i);
@@ -208,8 +193,7 @@ Rgb interpolated_irradiance(const Solution& solution, std::uint32_t instance, st
     if (values.empty()) {
         return Rgb(0.0F);
     }
-    const std::vector<NodeId>& table = back ? vertices.back_element : vertices.front_element;
-    NodeId id = table.empty() ? kNone : table[triangle];
+    NodeId id = solution.elements.of(instance, triangle, back);
     if (id == kNone) {
         const Scene& scene = solution.hierarchy.scene();
         const Corners& corners = scene.meshes[scene.instances[instance].mesh].shading_vertices[triangle];

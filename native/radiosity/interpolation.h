@@ -7,9 +7,6 @@ namespace gg {
 
 class Control;
 
-// Fills the tables of elements in Solution::vertices.
-void find_elements(Solution& solution);
-
 // Averages the irradiance of all elements and clusters that meet at a vertex. An edge whose neighbour is divided
 // further takes part in that division (T-vertices become vertices of both sides), to any depth, so there are no cracks.
 void interpolate_to_vertices(Solution& solution, const Control& control);

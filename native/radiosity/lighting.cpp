@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/control.h"
 #include "core/parallel.h"
@@ -12,6 +13,26 @@ namespace gg {
 namespace {
 
 constexpr std::size_t kBlock = 64;
+
+// body(node, child) on the way from an element to its leaf at a point; returns the leaf and the place
+// in it, as weights of its corners 1 and 2.
+template <typename Body>
+std::pair<NodeId, Vec2> descend(const std::vector<Node>& nodes, NodeId element, Vec3 point, const Body& body) {
+    const auto& c = nodes[element].corner;
+    const Vec3 e1 = c[1] - c[0], e2 = c[2] - c[0], d = point - c[0];
+    const Vec3 normal = cross(e1, e2);
+    const float scale = 1 / std::max(length_squared(normal), 1e-30F);
+    Vec2 place = scale * Vec2(dot(cross(d, e2), normal), dot(cross(e1, d), normal));
+    NodeId id = element;
+    while (nodes[id].child_count > 0) {
+        const int quarter = quarter_at(place);
+        place = place_in_quarter(place, quarter);
+        const NodeId child = nodes[id].first_child + quarter;
+        body(nodes[id], nodes[child]);
+        id = child;
+    }
+    return {id, place};
+}
 
 }  // namespace
 
@@ -26,6 +47,7 @@ void Lighting::grow(const Control& control) {
     area_.resize(nodes.size());
     slot_.resize(nodes.size(), kNone);
     leaf_slot_.resize(nodes.size(), kNone);
+    known_.resize(nodes.size());
     for (std::size_t id = old; id < nodes.size(); ++id) {
         const Node& node = nodes[id];
         if (node.parent != kNone && is_surface(node)) {
@@ -142,26 +164,30 @@ Rgb Lighting::irradiance_of_face(NodeId cluster, const Exposure& exposure, bool 
 
 PlaceOnElement Lighting::at(NodeId element, Vec3 point) const {
     const auto& nodes = hierarchy_.nodes();
-    const auto& c = nodes[element].corner;
-    const Vec3 e1 = c[1] - c[0], e2 = c[2] - c[0], d = point - c[0];
-    const Vec3 normal = cross(e1, e2);
-    const float scale = 1 / std::max(length_squared(normal), 1e-30F);
-    Vec2 place = scale * Vec2(dot(cross(d, e2), normal), dot(cross(e1, d), normal));
     PlaceOnElement result;
-    NodeId id = element;
-    while (nodes[id].child_count > 0) {
-        const int quarter = quarter_at(place);
-        place = place_in_quarter(place, quarter);
-        const NodeId child = nodes[id].first_child + quarter;
-        if (nodes[id].patch != kNone && nodes[child].patch == kNone) {
-            result.exposure = nodes[child].weight;
+    const auto [id, place] = descend(nodes, element, point, [&](const Node& node, const Node& child) {
+        if (node.patch != kNone && child.patch == kNone) {
+            result.exposure = child.weight;
         }
-        id = child;
-    }
+    });
     const std::array<Rgb, 3>& corners = corners_[slot_[id]];
     const Rgb irradiance = (1 - place.x - place.y) * corners[0] + place.x * corners[1] + place.y * corners[2];
     result.radiosity = nodes[id].emission + nodes[id].reflectance * glm::max(irradiance, Rgb(0.0F));
     return result;
+}
+
+NodeId Lighting::leaf_element_at(NodeId element, Vec3 point) const {
+    return descend(hierarchy_.nodes(), element, point, [](const Node&, const Node&) {}).first;
+}
+
+void Lighting::set_faces_of(NodeId leaf_cluster, Rgb arriving, Rgb reflected, const DirectionalForm& intensity) {
+    const LeafCluster& leaf = leaves_[leaf_slot_[leaf_cluster]];
+    const auto inverse_area = static_cast<float>(1.0 / std::max(leaf.area, 1e-30));
+    known_[leaf_cluster] = true;
+    intensity_[slot_[leaf_cluster]] = leaf.emission + intensity;
+    radiosity_[leaf_cluster] = (leaf.emitted_power + reflected) * inverse_area;
+    irradiance_[leaf_cluster] = arriving * inverse_area;
+    spread_[leaf_cluster] = 0;
 }
 
 double Lighting::total_reflected_power() const {

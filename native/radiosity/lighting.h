@@ -44,6 +44,10 @@ class Lighting {
     // a little more than they get. Where steps do not shrink, all light between surfaces is dimmed until they do.
     int settle(int most, double converged, const Control& control);
 
+    // From now on a leaf cluster has this light, whatever its links tell: power that arrives at its faces and that they
+    // reflect [W], and how it leaves [W/sr].
+    void set_faces_of(NodeId leaf_cluster, Rgb arriving, Rgb reflected, const DirectionalForm& intensity);
+
     // Means over the node's faces, W/m2. Lamps and sky have their emission as radiosity.
     [[nodiscard]] Rgb radiosity(NodeId id) const { return radiosity_[id]; }
     [[nodiscard]] Rgb irradiance(NodeId id) const { return irradiance_[id]; }
@@ -53,6 +57,8 @@ class Lighting {
     [[nodiscard]] const std::array<Rgb, 3>& corner_irradiance(NodeId element) const { return corners_[slot_[element]]; }
     // The light at a point of an element, as finely as it is known.
     [[nodiscard]] PlaceOnElement at(NodeId element, Vec3 point) const;
+    // The undivided element there.
+    [[nodiscard]] NodeId leaf_element_at(NodeId element, Vec3 point) const;
     // All that arrives at a cluster's face with this exposure on one side; unit normal of that side.
     [[nodiscard]] Rgb irradiance_of_face(NodeId cluster, const Exposure& exposure, bool back, Vec3 normal) const;
     [[nodiscard]] const DirectionalForm& intensity(NodeId cluster) const { return intensity_[slot_[cluster]]; }
@@ -92,6 +98,7 @@ class Lighting {
     std::vector<Received> shining_;         // received_ of the iteration before
     std::vector<std::uint32_t> leaf_slot_;  // leaf cluster -> leaves_, or kNone
     std::vector<LeafCluster> leaves_;
+    std::vector<std::uint8_t> known_;  // per node: a leaf cluster whose faces were set
     std::span<const Link> links_;
     std::span<const NearHit> hits_;
     std::vector<std::uint32_t> link_order_, link_begin_;

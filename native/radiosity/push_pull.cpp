@@ -64,6 +64,9 @@ void Lighting::pull(NodeId id) {
             spread_[id] = std::sqrt(squares / 12);
             return;
         }
+        if (known_[id]) {
+            return;
+        }
         const LeafCluster& leaf = leaves_[leaf_slot_[id]];
         const Received& light = received_[slot_[id]];
         intensity_[slot_[id]] = leaf.emission + leaf.reflect.apply(light.far) + leaf.reflect_near.apply(light.near);

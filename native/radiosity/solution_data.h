@@ -20,9 +20,6 @@ struct InstanceVertices {
     // (vertex, vertex) in ascending order -> the vertex between them.
     std::unordered_map<std::uint64_t, std::uint32_t> midpoints;
     std::vector<Rgb> front, back;  // W/m2 per vertex; back is empty when light reaches no back
-    // First element of a triangle's front and back, or kNone where the triangle stayed in a cluster; empty when all
-    // did.
-    std::vector<NodeId> front_element, back_element;
 };
 
 // The corners of a leaf element, so that a look-up needs no search.
@@ -41,7 +38,8 @@ struct Solution {
     Lighting lighting;
     Links links;
     ReferenceWhite white;
-    FaceLight face_light;  // of faces in clusters
+    ElementTable elements;
+    FaceLight face_light;                           // of faces in clusters
     std::vector<InstanceVertices> vertices;         // per instance
     std::vector<ElementVertices> element_vertices;  // per node; set for leaf elements
 };

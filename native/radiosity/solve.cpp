@@ -15,7 +15,8 @@ namespace {
 // Multigridding: coarse links carry the light around once before finer ones are judged by it.
 constexpr float kCoarseness[] = {16, 4, 1};
 constexpr int kSweepsBetween = 5;
-constexpr int kSweepsAtEnd = 200;    // enough for a mean reflectance of 0.97
+constexpr int kSweepsAtEnd = 200;  // enough for a mean reflectance of 0.97
+constexpr int kSweepsOfFaces = 50;
 constexpr double kConverged = 1e-3;  // change of the reflected power in one sweep, share of it
 
 struct Power {
@@ -85,6 +86,25 @@ int face_rays(float quality) {
     return static_cast<int>(std::clamp(0.48F / quality, kLeast, kMost));
 }
 
+// Replaces what links tell of clusters by what their faces see, and lets light come to rest once more.
+void light_faces(Solution& solution, const RayTracer& tracer, int rays, const Control& control) {
+    if (!solution.hierarchy.has_geometry()) {
+        return;
+    }
+    solution.elements = find_elements(solution.hierarchy);
+    FaceLight& faces = solution.face_light;
+    faces = FaceLight(solution.hierarchy, solution.elements, solution.lighting, tracer, rays, control);
+    for (int sweep = 0; sweep < kSweepsOfFaces; ++sweep) {
+        faces.gather(solution.lighting, control);
+        faces.tell(solution.lighting, control);
+        if (solution.lighting.iterate(control) <= kConverged) {
+            break;
+        }
+    }
+    faces.gather(solution.lighting, control);
+    faces.finish();
+}
+
 }  // namespace
 
 std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& colors, const RayTracer& tracer,
@@ -116,8 +136,7 @@ std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& c
     statistics.set_count("sweeps", sweeps);
     {
         const StageTimer timer(statistics, "faces");
-        find_elements(*solution);
-        solution->face_light = gather_face_light(*solution, tracer, face_rays(settings.quality), control);
+        light_faces(*solution, tracer, face_rays(settings.quality), control);
         statistics.set_count("face groups", static_cast<double>(solution->face_light.count()));
     }
     {

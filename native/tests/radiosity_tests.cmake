@@ -1,5 +1,5 @@
 gg_test(radiosity_tests
-        SOURCES radiosity/brightness_test.cpp radiosity/cluster_tree_test.cpp radiosity/clustering_test.cpp radiosity/convergence_test.cpp
+        SOURCES radiosity/brightness_test.cpp radiosity/cluster_tree_test.cpp radiosity/clustering_test.cpp radiosity/convergence_test.cpp radiosity/dark_inside_test.cpp
                 radiosity/energy_balance_test.cpp radiosity/exposure_test.cpp radiosity/face_sampling_test.cpp
                 radiosity/full_matrix_test.cpp
                 radiosity/furnace_test.cpp radiosity/interpolation_test.cpp radiosity/links_cover_once_test.cpp
