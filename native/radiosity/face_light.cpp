@@ -22,6 +22,7 @@ FaceLight::FaceLight(const Hierarchy& hierarchy, const ElementTable& elements, c
     find_groups(lighting, rays, control);
     list_shares(control);
     constant_.assign(groups_.size(), Rgb(0.0F));
+    glow_.assign(groups_.size(), Rgb(0.0F));
     hits_.assign(groups_.empty() ? 0 : groups_.back().first_ray + groups_.back().rays, kNone);
     parallel_blocks(groups_.size(), kGroupsAtOnce, control,
                     [&](std::size_t begin, std::size_t end) { trace(begin, end, elements, lighting, tracer); });
@@ -90,7 +91,7 @@ void FaceLight::list_groups(std::uint32_t instance, const InstanceParts& parts, 
         reflectance_[first_[instance] + g] = inverse * reflecting;
         // Small groups have many neighbours.
         const float count = std::clamp(whole * std::sqrt(area) / detail, 0.25F * whole, 2 * whole);
-        out.push_back({instance, g, static_cast<std::uint32_t>(count), 0});
+        out.push_back({instance, g, area, static_cast<std::uint32_t>(count), 0});
     }
 }
 
@@ -139,21 +140,33 @@ void FaceLight::list_shares(const Control& control) {
     }
 }
 
+// Mean of what the rays of a group bring from surfaces.
+Rgb FaceLight::from_surfaces(std::size_t i, const Lighting& lighting) const {
+    const Group& group = groups_[i];
+    Rgb sum(0.0F);
+    for (std::size_t k = group.first_ray; k < group.first_ray + group.rays; ++k) {
+        const std::uint32_t hit = hits_[k];
+        if (hit != kNone) {
+            sum += hit & kElementBit ? lighting.radiosity(hit & ~kElementBit) : reflectance_[hit] * irradiance_[hit];
+        }
+    }
+    return glow_[i] + sum / static_cast<float>(group.rays);
+}
+
 void FaceLight::gather(const Lighting& lighting, const Control& control) {
     std::vector<Rgb> next = irradiance_;
     parallel_for(groups_.size(), 1024, control, [&](std::size_t i) {
-        const auto& [instance, group, rays, first] = groups_[i];
-        Rgb sum(0.0F);
-        for (std::size_t k = first; k < first + rays; ++k) {
-            const std::uint32_t hit = hits_[k];
-            if (hit == kNone) {
-                continue;
-            }
-            sum += hit & kElementBit ? lighting.radiosity(hit & ~kElementBit) : reflectance_[hit] * irradiance_[hit];
-        }
-        next[first_[instance] + group] = constant_[i] + sum / static_cast<float>(rays);
+        next[first_[groups_[i].instance] + groups_[i].group] = constant_[i] + from_surfaces(i, lighting);
     });
     irradiance_ = std::move(next);
+}
+
+double FaceLight::power_from_surfaces(const Lighting& lighting) const {
+    double power = 0;
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+        power += groups_[i].area * luminance(from_surfaces(i, lighting));
+    }
+    return power;
 }
 
 void FaceLight::tell(Lighting& lighting, const Control& control) const {
@@ -174,6 +187,7 @@ void FaceLight::tell(Lighting& lighting, const Control& control) const {
 void FaceLight::finish() {
     groups_ = {};
     constant_ = {};
+    glow_ = {};
     hits_ = {};
     reflectance_ = {};
     leaves_ = {};

@@ -27,6 +27,8 @@ class FaceLight {
     void gather(const Lighting& lighting, const Control& control);
     // Tells `lighting` what the leaf clusters get and reflect by the sum of their faces.
     void tell(Lighting& lighting, const Control& control) const;
+    // Luminance of what comes to the faces from elements and other faces, W.
+    [[nodiscard]] double power_from_surfaces(const Lighting& lighting) const;
     // Frees what only the functions above need.
     void finish();
 
@@ -41,6 +43,7 @@ class FaceLight {
     // A group of an instance with at least one face in a cluster.
     struct Group {
         std::uint32_t instance = 0, group = 0;
+        float area = 0;  // of all its faces, m2
         std::uint32_t rays = 0;
         std::size_t first_ray = 0;
     };
@@ -66,6 +69,7 @@ class FaceLight {
                      std::vector<Group>& out);
     void list_shares(const Control& control);
     static void merge_shares(std::vector<Share>& list);
+    [[nodiscard]] Rgb from_surfaces(std::size_t group, const Lighting& lighting) const;
     void trace(std::size_t begin, std::size_t end, const ElementTable& elements, const Lighting& lighting,
                const RayTracer& tracer);
 
@@ -74,7 +78,8 @@ class FaceLight {
     std::vector<Rgb> irradiance_;       // per place
     std::vector<Rgb> reflectance_;      // per place, mean
     std::vector<Group> groups_;
-    std::vector<Rgb> constant_;  // per group of groups_: from lamps, sky and glowing faces
+    std::vector<Rgb> constant_;  // per group of groups_: from lamps and sky
+    std::vector<Rgb> glow_;      // per group of groups_: from glowing faces of clusters
     std::vector<std::uint32_t>
         hits_;                    // per ray: the place or, with kElementBit, the leaf element that it hit; or kNone
     std::vector<NodeId> leaves_;  // leaf clusters

@@ -55,7 +55,7 @@ class FaceLight::Block {
 
     // Points of a group, evenly by area, each with a ray into its hemisphere.
     void add_points(std::size_t i) {
-        const auto [instance, group, rays, first] = owner_.groups_[i];
+        const auto [instance, group, area_of_group, rays, first] = owner_.groups_[i];
         const std::span<const FaceSide> sides = owner_.groups_of(instance)[group];
         ends_.clear();
         float area = 0;
@@ -100,7 +100,7 @@ class FaceLight::Block {
         for (std::size_t j = 0; j < ends_.size(); ++j) {
             ends_[j] = (1 - even) * unit * ends_[j] + even * static_cast<float>(j + 1) / count;
         }
-        const auto [instance, group, rays, first] = owner_.groups_[i];
+        const auto [instance, group, area_of_group, rays, first] = owner_.groups_[i];
         const Sequence6 sequence(
             hash64(scene_.instances[instance].stable_id, owner_.groups_of(instance)[group].front().triangle));
         const float shift = sequence(0, 4);
@@ -143,7 +143,7 @@ class FaceLight::Block {
         owner_.hits_[slot] = owner_.first_[hit.instance] + other;
         const FaceColors& colors = owner_.colors_of(hit.instance);
         if (!colors.emission.empty()) {
-            arriving += share * kPi * colors.emission[hit.triangle];
+            owner_.glow_[group] += share * kPi * colors.emission[hit.triangle];
         }
     }
 

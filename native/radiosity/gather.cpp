@@ -50,14 +50,14 @@ Rgb Lighting::radiosity_at(const NearHit& hit) const {
 }
 
 void Lighting::gather_near(const Link& link, DirectionalForm& form, std::array<Rgb, 3>& corners) const {
-    const float share = dimming_ / static_cast<float>(link.ray_count);
+    const float share = gain_ / static_cast<float>(link.ray_count);
     Rgb mean(0.0F);
     std::array<Rgb, 3> lean{};
     for (const NearHit& hit : hits_.subspan(link.first_hit, link.hit_count)) {
         const Rgb radiosity = radiosity_at(hit);
         mean += share * radiosity;
         for (int k = 0; k < 3; ++k) {
-            lean[k] += dimming_ * hit.lean[k] * radiosity;
+            lean[k] += gain_ * hit.lean[k] * radiosity;
         }
     }
     for (Rgb& corner : corners) {
@@ -95,9 +95,9 @@ void Lighting::gather(NodeId receiver) {
             arriving = factor * radiosity_[link.sender];
         } else if (is_cluster(from)) {
             const Vec3 towards = normalize_or_zero(to.center - from.center);
-            arriving = dimming_ * kPi * factor * evaluate_clamped(intensity_[slot_[link.sender]], towards);
+            arriving = gain_ * kPi * factor * evaluate_clamped(intensity_[slot_[link.sender]], towards);
         } else {
-            arriving = dimming_ * factor * balance_[from.instance] * link.brightness * radiosity_[link.sender];
+            arriving = gain_ * factor * balance_[from.instance] * link.brightness * radiosity_[link.sender];
         }
         if (to.kind == NodeKind::kElement) {
             for (int k = 0; k < 3; ++k) {

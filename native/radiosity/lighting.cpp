@@ -176,6 +176,19 @@ PlaceOnElement Lighting::at(NodeId element, Vec3 point) const {
     return result;
 }
 
+Rgb Lighting::mean_around(NodeId element, Vec3 point, int levels) const {
+    NodeId part = element;
+    int below = 0;
+    const auto& nodes = hierarchy_.nodes();
+    descend(nodes, element, point, [&](const Node& node, const Node& child) {
+        if (below++ < levels) {
+            part = static_cast<NodeId>(&child - nodes.data());
+        }
+        (void)node;
+    });
+    return below < levels ? at(element, point).radiosity : radiosity_[part];
+}
+
 NodeId Lighting::leaf_element_at(NodeId element, Vec3 point) const {
     return descend(hierarchy_.nodes(), element, point, [](const Node&, const Node&) {}).first;
 }
@@ -196,6 +209,17 @@ double Lighting::total_reflected_power() const {
     for (NodeId id = 0; id < nodes.size(); ++id) {
         if (is_surface(nodes[id]) && nodes[id].child_count == 0) {
             total += area_[id] * static_cast<double>(luminance(nodes[id].reflectance * irradiance_[id]));
+        }
+    }
+    return total;
+}
+
+double Lighting::power_at_elements() const {
+    double total = 0;
+    const auto& nodes = hierarchy_.nodes();
+    for (NodeId id = 0; id < nodes.size(); ++id) {
+        if (nodes[id].kind == NodeKind::kElement && nodes[id].child_count == 0) {
+            total += area_[id] * static_cast<double>(luminance(irradiance_[id]));
         }
     }
     return total;
@@ -226,7 +250,7 @@ int Lighting::settle(int most, double converged, const Control& control) {
             return count;
         }
         if (count > kPatience && !(step < before)) {
-            dimming_ *= kDimming;
+            gain_ *= kDimming;
         }
         before = step;
     }

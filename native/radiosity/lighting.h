@@ -48,6 +48,12 @@ class Lighting {
     // reflect [W], and how it leaves [W/sr].
     void set_faces_of(NodeId leaf_cluster, Rgb arriving, Rgb reflected, const DirectionalForm& intensity);
 
+    // Scales all light that links bring from surface to surface; 1 at first.
+    void set_gain(float gain) { gain_ = gain; }
+    [[nodiscard]] float gain() const { return gain_; }
+    // Luminance of what arrives at all elements, W.
+    [[nodiscard]] double power_at_elements() const;
+
     // Means over the node's faces, W/m2. Lamps and sky have their emission as radiosity.
     [[nodiscard]] Rgb radiosity(NodeId id) const { return radiosity_[id]; }
     [[nodiscard]] Rgb irradiance(NodeId id) const { return irradiance_[id]; }
@@ -57,6 +63,8 @@ class Lighting {
     [[nodiscard]] const std::array<Rgb, 3>& corner_irradiance(NodeId element) const { return corners_[slot_[element]]; }
     // The light at a point of an element, as finely as it is known.
     [[nodiscard]] PlaceOnElement at(NodeId element, Vec3 point) const;
+    // Mean radiosity of the part around a point, so many levels below an element, or there if it is not so divided.
+    [[nodiscard]] Rgb mean_around(NodeId element, Vec3 point, int levels) const;
     // The undivided element there.
     [[nodiscard]] NodeId leaf_element_at(NodeId element, Vec3 point) const;
     // All that arrives at a cluster's face with this exposure on one side; unit normal of that side.
@@ -104,7 +112,7 @@ class Lighting {
     std::vector<std::uint32_t> link_order_, link_begin_;
     double reflected_power_ = 0;
     std::vector<float> balance_;  // per instance: factor on what its elements send over uneven links
-    float dimming_ = 1;           // of light between surfaces
+    float gain_ = 1;              // of light between surfaces
 };
 
 }  // namespace gg

@@ -149,7 +149,8 @@ float brightness_of_seen_parts(const Lighting& lighting, NodeId sender, const Sh
     double weights = 0, brightness = 0, seen_weights = 0, seen_brightness = 0;
     for (std::size_t i = 0; i < pairs.count; ++i) {
         const double weight = pairs.weights[i];
-        const double sent = weight * luminance(lighting.at(sender, pairs.targets[i]).radiosity);
+        const PlaceOnElement place = lighting.at(sender, pairs.targets[i]);  // more such points where it is exposed
+        const double sent = weight * luminance(place.radiosity) / place.exposure;
         weights += weight;
         brightness += sent;
         seen_weights += seen.blocked[i] ? 0 : weight;
@@ -168,7 +169,7 @@ float brightness_of_nearer_parts(const Lighting& lighting, const Node& receiver,
         const std::array<Vec3, 3> quarter = quarter_of(from.corner, i % kPoints);
         const std::array<Vec3, 3> part = close ? quarter_of(quarter, i / kPoints) : quarter;
         const Vec3 y = centroid(part);
-        const float brightness = luminance(lighting.at(sender, y).radiosity);
+        const float brightness = luminance(lighting.mean_around(sender, y, close ? 2 : 1));
         all += brightness;
         for (int k = 0; k < (close ? kPoints : 1); ++k) {
             const Vec3 x = close ? centroid(quarter_of(receiver.corner, k)) : receiver.center;
@@ -206,7 +207,7 @@ Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId r
     if (samples == SampleSet::kLink && seen.visibility > 0 && seen.visibility < 1) {
         find_occluders(tracer, pairs, seen, link);
     }
-    if (lighting && from.kind == NodeKind::kElement && from.patch == kNone && is_uneven(*lighting, sender)) {
+    if (lighting && from.kind == NodeKind::kElement && is_uneven(*lighting, sender)) {
         const float brightness = brightness_of_nearer_parts(*lighting, to, sender, from) *
                                  brightness_of_seen_parts(*lighting, sender, pairs, seen);
         link.brightness = std::clamp(brightness, 1 / kMostBrightness, kMostBrightness);
