@@ -63,6 +63,7 @@ void Lighting::grow(const Control& control) {
             slot_[id] = static_cast<std::uint32_t>(corners_.size());
             corners_.push_back({irradiance_[id], irradiance_[id], irradiance_[id]});
             near_.emplace_back(0.0F);
+            correction_.emplace_back(0.0F);
         }
     }
     facing_.resize(received_.size());

@@ -48,6 +48,10 @@ class Lighting {
     // reflect [W], and how it leaves [W/sr].
     void set_faces_of(NodeId leaf_cluster, Rgb arriving, Rgb reflected, const DirectionalForm& intensity);
 
+    // Added to the irradiance of a leaf element from the next iteration on, W/m2; 0 at first.
+    void set_correction(NodeId leaf_element, Rgb irradiance) { correction_[slot_[leaf_element]] = irradiance; }
+    [[nodiscard]] Rgb correction(NodeId leaf_element) const { return correction_[slot_[leaf_element]]; }
+
     // Scales all light that links bring from surface to surface; 1 at first.
     void set_gain(float gain) { gain_ = gain; }
     [[nodiscard]] float gain() const { return gain_; }
@@ -100,6 +104,7 @@ class Lighting {
     std::vector<std::uint32_t> slot_;          // cluster -> received_, intensity_, facing_; element -> corners_, near_
     std::vector<std::array<Rgb, 3>> corners_;  // irradiance at an element's corners; with patches, at an exposure of 1
     std::vector<Rgb> near_;                    // what arrives from near at an element with patches, at a shelter of 1
+    std::vector<Rgb> correction_;              // of a leaf element, as near_
     std::vector<Received> received_;
     std::vector<DirectionalForm> intensity_;
     std::vector<FacingArea> facing_;        // of clusters that receive

@@ -111,8 +111,12 @@ float uneven_share(const Node& receiver, const Node& sender, const Link& link) {
 // A small sender close to a large receiver brings next to nothing in the mean, and much to the place where it stands.
 // Form factor there, times what may be wrong on all of the receiver over what may be wrong on a receiver of that
 // place's size.
-float local_share(const Node& receiver, const Node& sender, const RefineSettings& settings) {
-    if (receiver.kind != NodeKind::kElement || !is_surface(sender) || sender.radius > kLocal * receiver.radius) {
+float local_share(const Hierarchy& hierarchy, const Node& receiver, const Node& sender,
+                  const RefineSettings& settings) {
+    const bool infinite =
+        sender.kind == NodeKind::kSky ||
+        (sender.kind == NodeKind::kLamp && hierarchy.scene().lamps[sender.source].shape == LampShape::kDistant);
+    if (receiver.kind != NodeKind::kElement || infinite || sender.radius > kLocal * receiver.radius) {
         return 0;
     }
     const float distance = distance_to_triangle(sender.center, receiver.corner);
@@ -159,7 +163,7 @@ bool still_good(const Hierarchy& hierarchy, const Lighting& lighting, const Link
     const float surroundings =
         link.near || !is_cluster(sender) ? 2 * irradiance : 2 * irradiance * surface_shown(sender, false);
     const float standing_out = std::max(sent - surroundings, kLeastContrast * sent);
-    const float peak = link.visibility > 0 ? local_share(receiver, sender, settings) : 0.0F;
+    const float peak = link.visibility > 0 ? local_share(hierarchy, receiver, sender, settings) : 0.0F;
     const float uneven =
         lighting.spread(link.sender) * surface_shown(sender, link.near) * uneven_share(receiver, sender, link);
     return reflectance * (standing_out * link.shape_error + sent * link.level_error + uneven +

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "radiosity/face_light.h"
+#include "radiosity/gathered_light.h"
 #include "radiosity/hierarchy.h"
 #include "radiosity/lighting.h"
 #include "radiosity/link.h"
@@ -39,7 +39,7 @@ struct Solution {
     Links links;
     ReferenceWhite white;
     ElementTable elements;
-    FaceLight face_light;                           // of faces in clusters
+    GatheredLight face_light;                       // of faces in clusters
     std::vector<InstanceVertices> vertices;         // per instance
     std::vector<ElementVertices> element_vertices;  // per node; set for leaf elements
 };

@@ -5,7 +5,6 @@
 #include "core/control.h"
 #include "core/statistics.h"
 #include "radiosity/interpolation.h"
-#include "radiosity/power_balance.h"
 #include "radiosity/refine.h"
 #include "radiosity/solution_data.h"
 
@@ -18,7 +17,7 @@ constexpr float kCoarseness[] = {16, 4, 1};
 constexpr int kSweepsBetween = 5;
 constexpr int kSweepsAtEnd = 200;  // enough for a mean reflectance of 0.97
 constexpr int kSweepsOfFaces = 50;
-constexpr int kRoundsOfBalance = 2;
+constexpr int kCorrections = 2;
 constexpr double kConverged = 1e-3;  // change of the reflected power in one sweep, share of it
 
 struct Power {
@@ -94,19 +93,19 @@ void light_faces(Solution& solution, const RayTracer& tracer, int rays, const Co
         return;
     }
     solution.elements = find_elements(solution.hierarchy);
-    FaceLight& faces = solution.face_light;
-    faces = FaceLight(solution.hierarchy, solution.elements, solution.lighting, tracer, rays, control);
-    for (int round = 0; round <= kRoundsOfBalance; ++round) {
-        if (round > 0) {
-            solution.lighting.set_gain(solution.lighting.gain() *
-                                       missing_gain(solution.hierarchy, solution.lighting, faces, tracer, control));
-        }
+    GatheredLight& faces = solution.face_light;
+    faces = GatheredLight(solution.hierarchy, solution.elements, solution.lighting, tracer, rays, control);
+    for (int round = 0; round <= kCorrections; ++round) {
         for (int sweep = 0; sweep < kSweepsOfFaces; ++sweep) {
             faces.gather(solution.lighting, control);
             faces.tell(solution.lighting, control);
             if (solution.lighting.iterate(control) <= kConverged) {
                 break;
             }
+        }
+        if (round < kCorrections) {
+            faces.gather(solution.lighting, control);
+            faces.correct(solution.lighting, control);
         }
     }
     faces.gather(solution.lighting, control);
@@ -145,7 +144,6 @@ std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& c
     {
         const StageTimer timer(statistics, "faces");
         light_faces(*solution, tracer, face_rays(settings.quality), control);
-        statistics.set_count("gain of links", solution->lighting.gain());
         statistics.set_count("face groups", static_cast<double>(solution->face_light.count()));
     }
     {
