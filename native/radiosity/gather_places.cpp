@@ -10,9 +10,8 @@ namespace gg {
 
 namespace {
 
+constexpr float kForElements = 2.0F / 3, kMostRays = 64;
 constexpr float kDetail = 1.0F / 128;  // size of a group, as a share of the scene's, from which all rays start
-// Of the rays of a group, for an element of that size: it has links, too, and neighbours to make sure.
-constexpr float kForElements = 1.0F / 3;
 
 }  // namespace
 
@@ -72,7 +71,10 @@ void GatheredLight::list_groups(std::uint32_t instance, const InstanceParts& par
         const float inverse = 1 / std::max(area, 1e-30F);
         irradiance_[first_[instance] + g] = inverse * arriving;
         reflectance_[first_[instance] + g] = inverse * reflecting;
-        out.push_back({instance, g, kNone, area, rays_for(static_cast<float>(rays), area), 0});
+        // Small ones have many neighbours.
+        const float share = std::clamp(std::sqrt(area) / detail(), 0.25F, 2.0F);
+        const auto count = static_cast<std::uint32_t>(std::max(2.0F, static_cast<float>(rays) * share));
+        out.push_back({instance, g, kNone, area, count, 0});
     }
 }
 
@@ -126,7 +128,10 @@ void GatheredLight::list_elements(int rays) {
     for (NodeId id = 0; id < hierarchy_->nodes().size(); ++id) {
         const Node& node = (*hierarchy_)[id];
         if (node.kind == NodeKind::kElement && node.child_count == 0) {
-            const std::uint32_t count = rays_for(kForElements * static_cast<float>(rays), node.area);
+            // By area: the mean of a whole wall must be sure, its small parts have links.
+            const float share = node.area / (detail() * detail());
+            const auto count = static_cast<std::uint32_t>(
+                std::clamp(kForElements * static_cast<float>(rays) * share, 2.0F, kMostRays));
             places_.push_back({node.instance, kNone, id, node.area, count, 0});
             elements_.push_back(id);
         }
@@ -134,7 +139,7 @@ void GatheredLight::list_elements(int rays) {
 }
 
 void GatheredLight::find_emitters() {
-    constexpr std::size_t kMost = 256;      // every place looks at all of them
+    constexpr std::size_t kMost = 256;     // every place looks at all of them
     constexpr double kLargest = 1.0 / 16;  // share of all area; rays find larger ones by themselves
     double area = 0, emitting = 0;
     for (NodeId id = 0; id < hierarchy_->nodes().size(); ++id) {
@@ -152,10 +157,8 @@ void GatheredLight::find_emitters() {
     }
 }
 
-// Small places have many neighbours.
-std::uint32_t GatheredLight::rays_for(float whole, float area) const {
-    const float detail = kDetail * 2 * (*hierarchy_)[kGeometryRoot].radius;
-    return static_cast<std::uint32_t>(std::max(2.0F, whole * std::clamp(std::sqrt(area) / detail, 0.25F, 2.0F)));
+float GatheredLight::detail() const {
+    return kDetail * 2 * (*hierarchy_)[kGeometryRoot].radius;
 }
 
 }  // namespace gg

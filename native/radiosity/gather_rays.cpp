@@ -30,13 +30,19 @@ class GatheredLight::Block {
     void gather(std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             add_points(i);
-            add_lamp_rays(i);
+            if (owner_.places_[i].element == kNone) {
+                add_lamp_rays(i);
+            }
         }
         hits_.resize(rays_.size());
         tracer_.closest_hits(rays_, hits_, RayMask::kLight, Coherence::kIncoherent);
         blocked_.resize(shadow_rays_.size());
         tracer_.occluded(shadow_rays_, blocked_, RayMask::kLight, Coherence::kIncoherent);
-        add_lamp_light(begin, end);
+        for (std::size_t i = 0; i < shadow_rays_.size(); ++i) {
+            if (!blocked_[i]) {
+                owner_.constant_[shadow_places_[i]] += shadow_light_[i];
+            }
+        }
         std::size_t ray = 0;
         for (std::size_t i = begin; i < end; ++i) {
             for (std::size_t k = 0; k < owner_.places_[i].rays; ++k, ++ray) {
@@ -46,24 +52,6 @@ class GatheredLight::Block {
     }
 
   private:
-    // The light of lamps that is not blocked, and the variance of its sum.
-    void add_lamp_light(std::size_t begin, std::size_t end) {
-        std::size_t ray = 0;
-        for (std::size_t i = begin; i < end; ++i) {
-            Rgb sum(0.0F);
-            float squares = 0;
-            for (; ray < shadow_rays_.size() && shadow_places_[ray] == i; ++ray) {
-                if (!blocked_[ray]) {
-                    sum += shadow_light_[ray];
-                    squares += luminance(shadow_light_[ray]) * luminance(shadow_light_[ray]);
-                }
-            }
-            const auto count = static_cast<float>(lamp_rays_of(owner_.places_[i]));
-            owner_.constant_[i] = sum;
-            owner_.variance_[i] = std::max(0.0F, squares - luminance(sum) * luminance(sum) / count);
-        }
-    }
-
     static std::uint32_t lamp_rays_of(const Place& place) { return std::max(2U, place.rays / kRaysPerLampRay); }
 
     struct Point {
@@ -176,14 +164,16 @@ class GatheredLight::Block {
         }
     }
 
-    // Exact form factor, sampled visibility.
     void add_emitter_ray(std::size_t i, const Point& x, NodeId emitter, float u, float v, float share) {
-        const Rgb light = irradiance_from(emitter, x);
-        if (luminance(light) > 0) {
-            const auto& c = (*owner_.hierarchy_)[emitter].corner;
-            const Vec3 w = square_to_triangle(u, v);
-            const Vec3 towards = w.x * c[0] + w.y * c[1] + w.z * c[2] - x.position;
-            add_shadow_ray(i, {x.position, towards, 0, kAlmost}, share * light);
+        const Node& node = (*owner_.hierarchy_)[emitter];
+        const auto& c = node.corner;
+        const Vec3 w = square_to_triangle(u, v);
+        const Vec3 towards = w.x * c[0] + w.y * c[1] + w.z * c[2] - x.position;
+        const float here = dot(towards, x.normal), there = -dot(towards, node.normal);
+        if (here > 0 && there > 0) {
+            const float square = length_squared(towards);
+            const float factor = here * there * node.area / (kPi * square * square);
+            add_shadow_ray(i, {x.position, towards, 0, kAlmost}, share * factor * node.emission);
         }
     }
 
@@ -205,8 +195,9 @@ class GatheredLight::Block {
     void arrive(std::size_t place, std::size_t slot, const Ray& ray, const Hit& hit) {
         const float share = 1 / static_cast<float>(owner_.places_[place].rays);
         Rgb& arriving = owner_.constant_[place];
+        const bool of_element = owner_.places_[place].element != kNone;
         if (hit.missed()) {
-            arriving += share * kPi * scene_.world;
+            arriving += of_element ? Rgb(0.0F) : share * kPi * scene_.world;
             return;
         }
         const bool back = dot(world_area_vector(scene_, hit.instance, hit.triangle), ray.direction) > 0;
@@ -222,7 +213,7 @@ class GatheredLight::Block {
         }
         owner_.hits_[slot] = owner_.first_[hit.instance] + other;
         const FaceColors& colors = owner_.colors_of(hit.instance);
-        if (!colors.emission.empty()) {
+        if (!colors.emission.empty() && !of_element) {
             owner_.glow_[place] += share * kPi * colors.emission[hit.triangle];
         }
     }

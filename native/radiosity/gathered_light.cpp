@@ -26,13 +26,23 @@ GatheredLight::GatheredLight(const Hierarchy& hierarchy, const ElementTable& ele
         places_[i].first_ray = places_[i - 1].first_ray + places_[i - 1].rays;
     }
     list_shares(control);
+    Lighting emitted = lighting;
+    emitted.clear(control);
+    emitted.iterate(control);
+    for (const NodeId element : elements_) {
+        direct_.push_back(emitted.irradiance(element));
+    }
     constant_.assign(places_.size(), Rgb(0.0F));
     glow_.assign(places_.size(), Rgb(0.0F));
-    variance_.assign(places_.size(), 0.0F);
     hits_.assign(places_.empty() ? 0 : places_.back().first_ray + places_.back().rays, kNone);
     estimates_.resize(places_.size() - first_element_);
     parallel_blocks(places_.size(), kPlacesAtOnce, control,
                     [&](std::size_t begin, std::size_t end) { trace(begin, end, elements, lighting, tracer); });
+}
+
+Rgb GatheredLight::sent_by(NodeId element, bool to_element, const Lighting& lighting) const {
+    const bool all = !to_element && emitters_.empty();
+    return lighting.radiosity(element) - (all ? Rgb(0.0F) : (*hierarchy_)[element].emission);
 }
 
 // What the rays of a place bring from surfaces.
@@ -44,8 +54,7 @@ GatheredLight::Estimate GatheredLight::from_surfaces(std::size_t i, const Lighti
     for (std::size_t k = place.first_ray; k < place.first_ray + place.rays; ++k) {
         const std::uint32_t hit = hits_[k];
         if (hit != kNone) {
-            const NodeId element = hit & ~kElementBit;
-            const Rgb radiosity = hit & kElementBit ? lighting.radiosity(element) - emission_of(element)
+            const Rgb radiosity = hit & kElementBit ? sent_by(hit & ~kElementBit, place.element != kNone, lighting)
                                                     : reflectance_[hit] * irradiance_[hit];
             sum += radiosity;
             squares += luminance(radiosity) * luminance(radiosity);
@@ -63,9 +72,7 @@ void GatheredLight::gather(const Lighting& lighting, const Control& control) {
         if (i < first_element_) {
             next[first_[places_[i].instance] + places_[i].group] = constant_[i] + light.irradiance;
         } else {
-            const auto rays = static_cast<float>(light.rays);
-            estimates_[i - first_element_] = {constant_[i] + light.irradiance, rays * variance_[i] + light.variance,
-                                              light.rays};
+            estimates_[i - first_element_] = light;
         }
     });
     irradiance_ = std::move(next);
@@ -87,14 +94,14 @@ void GatheredLight::tell(Lighting& lighting, const Control& control) const {
 }
 
 void GatheredLight::correct(Lighting& lighting, const Control& control) const {
-    correct_elements(*hierarchy_, elements_, estimates_, lighting, control);
+    correct_elements(*hierarchy_, elements_, direct_, estimates_, lighting, control);
 }
 
 void GatheredLight::finish() {
     places_ = {};
     elements_ = {};
     estimates_ = {};
-    variance_ = {};
+    direct_ = {};
     constant_ = {};
     glow_ = {};
     hits_ = {};

@@ -73,16 +73,14 @@ class GatheredLight {
     [[nodiscard]] const FaceColors& colors_of(std::uint32_t instance) const {
         return hierarchy_->faces().colors[hierarchy_->faces().instance_colors[instance]];
     }
-    // What emitters_ bring, rays do not.
-    [[nodiscard]] Rgb emission_of(NodeId element) const {
-        return emitters_.empty() ? Rgb(0.0F) : (*hierarchy_)[element].emission;
-    }
+    // What the rays of a place bring from an element: not what shadow rays bring, or links.
+    [[nodiscard]] Rgb sent_by(NodeId element, bool to_element, const Lighting& lighting) const;
     void find_emitters();
     void find_groups(const Lighting& lighting, int rays, const Control& control);
     void list_groups(std::uint32_t instance, const InstanceParts& parts, const Lighting& lighting, int rays,
                      std::vector<Place>& out);
     void list_elements(int rays);
-    [[nodiscard]] std::uint32_t rays_for(float whole, float area) const;
+    [[nodiscard]] float detail() const;
     void list_shares(const Control& control);
     static void merge_shares(std::vector<Share>& list);
     [[nodiscard]] Estimate from_surfaces(std::size_t place, const Lighting& lighting) const;
@@ -97,10 +95,10 @@ class GatheredLight {
     std::vector<Place> places_;         // groups, then elements
     std::size_t first_element_ = 0;
     std::vector<NodeId> elements_;     // of places_, from first_element_ on
-    std::vector<Estimate> estimates_;  // per element of elements_
+    std::vector<Rgb> direct_;          // per element of elements_: what links bring of emitted light
+    std::vector<Estimate> estimates_;  // per element of elements_: of reflected light
     std::vector<Rgb> constant_;        // per place: from lamps and sky
     std::vector<Rgb> glow_;            // per place: from glowing faces of clusters
-    std::vector<float> variance_;      // per place: of what comes from lamps
     // Per ray: what it hit, a group as in irradiance_ or, with kElementBit, a leaf element; or kNone.
     std::vector<std::uint32_t> hits_;
     std::vector<NodeId> leaves_;          // leaf clusters
