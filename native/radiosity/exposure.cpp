@@ -13,7 +13,7 @@ namespace gg {
 
 namespace {
 
-constexpr std::uint32_t kRays = 2;    // from every side of a face, at least
+constexpr std::uint32_t kRays = 1;    // from every side of a face, at least
 constexpr std::uint32_t kEnough = 6;  // from a group
 constexpr float kClose = 0.1F;        // what blocks all rays from a side so close covers it; as kRoom
 constexpr float kRoom = 0.5F;         // how far a ray must get, as a share of the instance's size

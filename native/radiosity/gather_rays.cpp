@@ -30,9 +30,7 @@ class GatheredLight::Block {
     void gather(std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             add_points(i);
-            if (owner_.places_[i].element == kNone) {
-                add_lamp_rays(i);
-            }
+            add_lamp_rays(i);
         }
         hits_.resize(rays_.size());
         tracer_.closest_hits(rays_, hits_, RayMask::kLight, Coherence::kIncoherent);
@@ -110,30 +108,34 @@ class GatheredLight::Block {
                                       : (*owner_.hierarchy_)[place.element].stable_id;
     }
 
-    // Shadow rays are dealt out to lamps and emitters by what they would bring to the middle of the place.
+    // Shadow rays are dealt out to lamps and emitters by what they would bring to the middle of the place. Elements
+    // know sources close by from their links, better than from a few points.
     void add_lamp_rays(std::size_t i) {
         const std::vector<Lamp>& lamps = scene_.lamps;
+        const Place& place = owner_.places_[i];
+        const bool of_element = place.element != kNone;
         const Point& middle = points_[points_.size() / 2];
         float total = 0;
         ends_.clear();
         for (const Lamp& lamp : lamps) {
-            total += luminance(lamp_irradiance(lamp, middle.position, middle.normal));
+            if (!of_element || lamp.shape == LampShape::kDistant) {
+                total += luminance(lamp_irradiance(lamp, middle.position, middle.normal));
+            }
             ends_.push_back(total);
         }
         for (const NodeId emitter : owner_.emitters_) {
-            total += luminance(irradiance_from(emitter, middle));
+            total += of_element ? 0 : luminance(irradiance_from(emitter, middle));
             ends_.push_back(total);
         }
-        if (ends_.empty()) {
+        if (ends_.empty() || (of_element && !(total > 0))) {
             return;
         }
         const auto sources = static_cast<float>(ends_.size());
-        const float even = total > 0 ? kEvenShare : 1.0F;
+        const float even = of_element ? 0 : total > 0 ? kEvenShare : 1.0F;
         const float unit = 1 / std::max(total, 1e-30F);
         for (std::size_t j = 0; j < ends_.size(); ++j) {
             ends_[j] = (1 - even) * unit * ends_[j] + even * static_cast<float>(j + 1) / sources;
         }
-        const Place& place = owner_.places_[i];
         const Sequence6 sequence(seed_of(place));
         const float shift = sequence(0, 4);
         const std::uint32_t count = lamp_rays_of(place);
@@ -197,7 +199,7 @@ class GatheredLight::Block {
         Rgb& arriving = owner_.constant_[place];
         const bool of_element = owner_.places_[place].element != kNone;
         if (hit.missed()) {
-            arriving += of_element ? Rgb(0.0F) : share * kPi * scene_.world;
+            arriving += share * kPi * scene_.world;
             return;
         }
         const bool back = dot(world_area_vector(scene_, hit.instance, hit.triangle), ray.direction) > 0;

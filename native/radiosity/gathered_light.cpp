@@ -14,6 +14,11 @@ namespace {
 
 constexpr std::size_t kPlacesAtOnce = 32;
 
+bool is_infinite(const Hierarchy& hierarchy, NodeId sender) {
+    const Node& node = hierarchy[sender];
+    return node.kind == NodeKind::kSky || hierarchy.scene().lamps[node.source].shape == LampShape::kDistant;
+}
+
 }  // namespace
 
 GatheredLight::GatheredLight(const Hierarchy& hierarchy, const ElementTable& elements, const Lighting& lighting,
@@ -26,11 +31,16 @@ GatheredLight::GatheredLight(const Hierarchy& hierarchy, const ElementTable& ele
         places_[i].first_ray = places_[i - 1].first_ray + places_[i - 1].rays;
     }
     list_shares(control);
-    Lighting emitted = lighting;
-    emitted.clear(control);
-    emitted.iterate(control);
+    Lighting close_by = lighting;
+    close_by.clear(control);
+    for (const NodeId sender : hierarchy.infinite_and_lamps()) {
+        if (is_infinite(hierarchy, sender)) {
+            close_by.darken(sender);
+        }
+    }
+    close_by.iterate(control);
     for (const NodeId element : elements_) {
-        direct_.push_back(emitted.irradiance(element));
+        direct_.push_back(close_by.irradiance(element));
     }
     constant_.assign(places_.size(), Rgb(0.0F));
     glow_.assign(places_.size(), Rgb(0.0F));
@@ -73,6 +83,7 @@ void GatheredLight::gather(const Lighting& lighting, const Control& control) {
             next[first_[places_[i].instance] + places_[i].group] = constant_[i] + light.irradiance;
         } else {
             estimates_[i - first_element_] = light;
+            estimates_[i - first_element_].irradiance += constant_[i];
         }
     });
     irradiance_ = std::move(next);

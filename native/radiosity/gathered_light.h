@@ -95,8 +95,8 @@ class GatheredLight {
     std::vector<Place> places_;         // groups, then elements
     std::size_t first_element_ = 0;
     std::vector<NodeId> elements_;     // of places_, from first_element_ on
-    std::vector<Rgb> direct_;          // per element of elements_: what links bring of emitted light
-    std::vector<Estimate> estimates_;  // per element of elements_: of reflected light
+    std::vector<Rgb> direct_;          // per element of elements_: what links bring of lamps and glowing surfaces
+    std::vector<Estimate> estimates_;  // per element of elements_: of all other light
     std::vector<Rgb> constant_;        // per place: from lamps and sky
     std::vector<Rgb> glow_;            // per place: from glowing faces of clusters
     // Per ray: what it hit, a group as in irradiance_ or, with kElementBit, a leaf element; or kNone.

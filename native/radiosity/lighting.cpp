@@ -241,6 +241,14 @@ void Lighting::clear(const Control& control) {
     reflected_power_ = 0;
 }
 
+void Lighting::darken(NodeId sender) {
+    radiosity_[sender] = Rgb(0.0F);
+    const Node& node = hierarchy_[sender];
+    for (NodeId child = node.first_child; child < node.first_child + node.child_count; ++child) {
+        darken(child);
+    }
+}
+
 int Lighting::settle(int most, double converged, const Control& control) {
     constexpr int kPatience = 10;  // iterations until steps must shrink
     constexpr float kDimming = 0.9F;

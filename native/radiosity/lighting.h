@@ -32,6 +32,9 @@ class Lighting {
     // caller's.
     void set_links(Links& links, const Control& control);
 
+    // A lamp or a sky cell, with all its parts, sends nothing in the next iteration.
+    void darken(NodeId sender);
+
     // Back to what surfaces emit by themselves. Light that coarse links let through would else die out only after all
     // other light has come to rest.
     void clear(const Control& control);

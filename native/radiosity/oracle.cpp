@@ -19,6 +19,7 @@ constexpr float kSmallestSky = 0.02F;   // sr
 constexpr float kLargestSky = 0.5F;     // sr
 constexpr float kInsignificant = 0.1F;  // share of the tolerance below which four rays will do
 constexpr float kDarkest = 0.01F;       // irradiance below this share of the white tolerates no less
+constexpr float kClusterError = 3;      // clusters may be wrong by so much more: their faces look around themselves
 constexpr float kLeastReflectance = 0.05F;
 constexpr float kLeastContrast = 0.1F;  // of a sender to its surroundings that is always counted
 constexpr float kLeastExposed = 0.25F;
@@ -38,6 +39,11 @@ float allowed_error(const Node& receiver, float irradiance, const RefineSettings
     const float white = settings.white.irradiance;
     const float small = small_size(receiver.radius, settings);
     return settings.tolerance * std::sqrt(white * std::max(irradiance, kDarkest * white)) * small * small;
+}
+
+// Faces of clusters look around themselves in the end, and elements correct what other surfaces send.
+float error_for_faces(const Node& receiver, const Node& sender) {
+    return receiver.kind == NodeKind::kCluster && is_surface(sender) ? kClusterError : 1.0F;
 }
 
 // Its square root for the same reason: a dark surface is compared with itself.
@@ -168,7 +174,7 @@ bool still_good(const Hierarchy& hierarchy, const Lighting& lighting, const Link
         lighting.spread(link.sender) * surface_shown(sender, link.near) * uneven_share(receiver, sender, link);
     return reflectance * (standing_out * link.shape_error + sent * link.level_error + uneven +
                           light * exposed_share(sender) * peak) <=
-           allowed_error(receiver, irradiance, settings);
+           error_for_faces(receiver, sender) * allowed_error(receiver, irradiance, settings);
 }
 
 bool may_be_uneven(const Hierarchy& hierarchy, const Lighting& lighting, const Link& link,
@@ -193,7 +199,7 @@ Decision decide(const Hierarchy& hierarchy, const Lighting& lighting, const RayT
         return {Verdict::kDrop, {}};
     }
     const float irradiance = luminance(lighting.irradiance(receiver_id));
-    const float allowed = allowed_error(receiver, irradiance, settings);
+    const float allowed = error_for_faces(receiver, sender) * allowed_error(receiver, irradiance, settings);
     const float reflectance = seen_reflectance(receiver);
     const float light = strength(sender, luminance(lighting.radiosity(sender_id)));
     const float most = reflectance * light * (self ? 1.0F : form_factor_bound(hierarchy, receiver, sender));

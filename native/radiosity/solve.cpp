@@ -81,10 +81,10 @@ void report(const Solution& solution, Statistics& statistics) {
                                                       solution.links.hits.capacity() * sizeof(NearHit)));
 }
 
-// Rays from a group of faces: 24 at the default quality.
+// Rays from a group of faces: 12 at the default quality.
 int face_rays(float quality) {
-    constexpr float kLeast = 8, kMost = 96;
-    return static_cast<int>(std::clamp(0.48F / quality, kLeast, kMost));
+    constexpr float kLeast = 4, kMost = 48;
+    return static_cast<int>(std::clamp(0.24F / quality, kLeast, kMost));
 }
 
 // Replaces what links tell of clusters by what their faces see, and lets light come to rest once more.
