@@ -99,6 +99,26 @@ float set_linear_shape(const std::array<float, kPoints>& f, Link& link) {
     return std::max(std::abs(f[3] - outer), kUnseen * (*most - *least));
 }
 
+// What is shared out by exposure knows of no shadow that something far away throws on a part of an element: mean
+// difference between what arrives at its quarters and what they are given.
+float lost_shadow(const Hierarchy& hierarchy, const Node& element, const std::array<float, kPoints>& unoccluded,
+                  const std::array<float, kPoints>& arriving) {
+    const std::vector<Patch>& patches = hierarchy.faces().patches.patches;
+    const std::uint32_t first = patches[element.patch].first_child;
+    std::array<float, kPoints> given{};
+    float sum = 0, all = 0;
+    for (int k = 0; k < kPoints; ++k) {
+        given[k] = unoccluded[k] * (first == kNone ? 1.0F : patches[first + k].exposure);
+        sum += given[k];
+        all += arriving[k];
+    }
+    float lost = 0;
+    for (int k = 0; k < kPoints; ++k) {
+        lost += std::abs(arriving[k] - given[k] * (all / std::max(sum, 1e-30F))) / kPoints;
+    }
+    return lost;
+}
+
 // Between the middles, m; infinite for the sky and distant lamps.
 float distance_to(const Hierarchy& hierarchy, const Node& receiver, const Node& sender) {
     const bool infinite =
@@ -222,14 +242,17 @@ Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId r
         const float mean = 0.25F * (arriving[0] + arriving[1] + arriving[2] + arriving[3]);
         link.visibility = link.form_factor > 0 ? mean / link.form_factor : 0.0F;
         const float arriving_error = set_linear_shape(arriving, link);
+        float lost = 0;
         const Vec3 arriving_shape = link.shape;
         link.shape_error = set_linear_shape(unoccluded, link) * link.visibility;
         if (to.patch == kNone) {
             link.shape = arriving_shape;
         } else {  // shared out by exposure, which the rays saw too
             link.near_share = from.kind == NodeKind::kSky ? 0.0F : seen.near_share;
+            const float noise = 2 * link.form_factor * seen.sampling_error;  // of a quarter of the rays
+            lost = std::max(0.0F, lost_shadow(hierarchy, to, unoccluded, arriving) - noise);
         }
-        link.level_error = link.form_factor * seen.sampling_error;
+        link.level_error = link.form_factor * seen.sampling_error + lost;
         if (link.visibility < 1) {
             link.level_error += arriving_error;
         }
