@@ -10,7 +10,7 @@ namespace gg {
 namespace {
 
 // Differences that are to be expected, as shares of what links bring: of a whole triangle, and of a part to the whole.
-constexpr float kWhole = 0.15F, kPart = 0.1F;
+constexpr float kWhole = 0.15F, kPart = 0.01F;
 constexpr float kDark = 1e-6F;  // W/m2: no light
 constexpr float kEven = 0.1F;   // share of a triangle's mean that even its darkest parts may have by mistake
 

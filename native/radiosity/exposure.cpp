@@ -13,10 +13,11 @@ namespace gg {
 
 namespace {
 
-constexpr std::uint32_t kRays = 1;    // from every side of a face, at least
-constexpr std::uint32_t kEnough = 6;  // from a group
-constexpr float kClose = 0.1F;        // what blocks all rays from a side so close covers it; as kRoom
-constexpr float kRoom = 0.5F;         // how far a ray must get, as a share of the instance's size
+constexpr std::uint32_t kRays = 1;        // from every side of a face, at least
+constexpr float kEnough = 6, kMost = 32;  // from a group of the size of a detail, and from a large one
+constexpr float kDetail = 1.0F / 128;     // share of the scene's size
+constexpr float kClose = 0.1F;            // what blocks all rays from a side so close covers it; as kRoom
+constexpr float kRoom = 0.5F;             // how far a ray must get, as a share of the instance's size
 // Whose hemisphere is open by no more than the first share gets next to no light from outside, by the second and more
 // about as much as any [measured: armchair, sofa, dresser, books, bear, peace lily of the furnished room].
 constexpr float kCovered = 0.13F, kExposed = 0.5F;
@@ -26,12 +27,14 @@ constexpr std::size_t kGroups = 64;  // whose rays are traced together
 // Looks around on groups of faces of one instance, many at a time.
 class Surveyor {
   public:
-    Surveyor(const Scene& scene, std::uint32_t instance, const FaceGroups& groups, const RayTracer& tracer)
+    Surveyor(const Scene& scene, std::uint32_t instance, const FaceGroups& groups, float scene_size,
+             const RayTracer& tracer)
         : scene_(scene),
           instance_(instance),
           groups_(groups),
           tracer_(tracer),
-          reach_(kRoom * scene.instances[instance].bounds.diameter()) {}
+          reach_(kRoom * scene.instances[instance].bounds.diameter()),
+          detail_(std::max(kDetail * scene_size, 1e-30F)) {}
 
     // Appends the groups [begin, end), those of whose sides some are covered in two parts; sets the exposure of their
     // faces.
@@ -70,9 +73,15 @@ class Surveyor {
         std::uint32_t far = 0, close = 0;  // rays that the instance blocks, and does within a short distance
     };
 
-    static std::uint32_t rays_from(std::span<const FaceSide> sides) {
+    // Large faces become elements of their own, and must not be taken for covered by chance.
+    std::uint32_t rays_from(std::span<const FaceSide> sides) const {
+        float area = 0;
+        for (const FaceSide& side : sides) {
+            area += length(world_area_vector(scene_, instance_, side.triangle));
+        }
+        const float wanted = std::clamp(kEnough * std::sqrt(area) / detail_, kEnough, kMost);
         const auto count = static_cast<std::uint32_t>(sides.size());
-        return std::max(kRays, (kEnough + count - 1) / count);
+        return std::max(kRays, (static_cast<std::uint32_t>(wanted) + count - 1) / count);
     }
 
     void add_rays(std::span<const FaceSide> sides) {
@@ -118,7 +127,7 @@ class Surveyor {
     std::uint32_t instance_;
     const FaceGroups& groups_;
     const RayTracer& tracer_;
-    float reach_;
+    float reach_, detail_;
     std::vector<Ray> rays_;
     std::vector<Hit> hits_;
     std::vector<FaceSide> chosen_;
@@ -126,12 +135,12 @@ class Surveyor {
 
 }  // namespace
 
-std::vector<Exposure> find_exposure(const Scene& scene, std::uint32_t instance, FaceGroups& groups,
+std::vector<Exposure> find_exposure(const Scene& scene, std::uint32_t instance, FaceGroups& groups, float scene_size,
                                     const RayTracer& tracer, const Control& control) {
     std::vector<Exposure> exposure(groups.of_front.size(), {0, 0, 0, 0});
     std::vector<FaceGroups::Builder> parts((groups.count() + kGroups - 1) / kGroups);
     parallel_blocks(groups.count(), kGroups, control, [&](std::size_t begin, std::size_t end) {
-        Surveyor(scene, instance, groups, tracer).survey(begin, end, parts[begin / kGroups], exposure);
+        Surveyor(scene, instance, groups, scene_size, tracer).survey(begin, end, parts[begin / kGroups], exposure);
     });
     groups = make_groups(parts, exposure.size());
     return exposure;

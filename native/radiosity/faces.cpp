@@ -28,7 +28,7 @@ MeshFaces make_mesh_faces(const Scene& scene, std::uint32_t instance, float scen
     MeshFaces faces;
     faces.tree = build_cluster_tree(boxes, kTrianglesPerLeaf, control);
     faces.groups = group_faces(scene, instance, faces.tree, scene_size, control);
-    faces.exposure = find_exposure(scene, instance, faces.groups, tracer, control);
+    faces.exposure = find_exposure(scene, instance, faces.groups, scene_size, tracer, control);
     faces.rank.resize(boxes.size());
     for (auto* prefix : {&faces.area_prefix, &faces.exposed_prefix}) {
         prefix->resize(boxes.size() + 1);

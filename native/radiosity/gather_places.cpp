@@ -10,7 +10,7 @@ namespace gg {
 
 namespace {
 
-constexpr float kForElements = 1, kMostRays = 32;
+constexpr float kForElements = 1, kMostRays = 16;
 constexpr float kDetail = 1.0F / 128;  // size of a group, as a share of the scene's, from which all rays start
 
 }  // namespace

@@ -1,5 +1,6 @@
 // GatheredLight: the rays of its places.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -16,6 +17,7 @@ namespace gg {
 namespace {
 
 constexpr std::uint32_t kRaysPerLampRay = 3;
+constexpr int kCandidates = 4;
 constexpr float kAlmost = 0.9999F;  // of the way to a source
 constexpr float kEvenShare = 0.1F;  // of the lamps' rays: spread over all lamps, whatever the middle point gets
 
@@ -149,34 +151,64 @@ class GatheredLight::Block {
                 continue;
             }
             const float share = 1 / (chance * static_cast<float>(count));
+            const Vec3 sample(sequence(k, 0), sequence(k, 5), sequence(k, 3));
             if (source < lamps.size()) {
-                add_lamp_ray(i, x, lamps[source], sequence(k, 0), sequence(k, 5), share);
+                add_lamp_ray(i, x, lamps[source], sample, share);
             } else {
-                add_emitter_ray(i, x, owner_.emitters_[source - lamps.size()], sequence(k, 0), sequence(k, 5), share);
+                add_emitter_ray(i, x, owner_.emitters_[source - lamps.size()], sample, share);
             }
         }
     }
 
-    void add_lamp_ray(std::size_t i, const Point& x, const Lamp& lamp, float u, float v, float share) {
-        const LampSample sample = sample_lamp(lamp, x.position, u, v);
-        const float cosine = dot(x.normal, sample.direction);
-        if (cosine > 0 && luminance(sample.normal_irradiance) > 0) {
-            add_shadow_ray(i, {x.position, sample.direction, 0, kAlmost * sample.distance},
-                           share * cosine * sample.normal_irradiance);
+    // The irradiance is exact; visibility is that of one point of the source, chosen from a few by what they bring. A
+    // point next to the source would else now and then bring a multiple of what all others do.
+    void add_lamp_ray(std::size_t i, const Point& x, const Lamp& lamp, Vec3 sample, float share) {
+        std::array<LampSample, kCandidates> candidates;
+        std::array<float, kCandidates> weights{};
+        for (int c = 0; c < kCandidates; ++c) {
+            const Vec2 uv = candidate(sample, c);
+            candidates[c] = sample_lamp(lamp, x.position, uv.x, uv.y);
+            weights[c] =
+                std::max(0.0F, dot(x.normal, candidates[c].direction)) * luminance(candidates[c].normal_irradiance);
+        }
+        const int chosen = choose(weights, sample.z);
+        if (weights[chosen] > 0) {
+            add_shadow_ray(i, {x.position, candidates[chosen].direction, 0, kAlmost * candidates[chosen].distance},
+                           share * lamp_irradiance(lamp, x.position, x.normal));
         }
     }
 
-    void add_emitter_ray(std::size_t i, const Point& x, NodeId emitter, float u, float v, float share) {
+    void add_emitter_ray(std::size_t i, const Point& x, NodeId emitter, Vec3 sample, float share) {
         const Node& node = (*owner_.hierarchy_)[emitter];
-        const auto& c = node.corner;
-        const Vec3 w = square_to_triangle(u, v);
-        const Vec3 towards = w.x * c[0] + w.y * c[1] + w.z * c[2] - x.position;
-        const float here = dot(towards, x.normal), there = -dot(towards, node.normal);
-        if (here > 0 && there > 0) {
-            const float square = length_squared(towards);
-            const float factor = here * there * node.area / (kPi * square * square);
-            add_shadow_ray(i, {x.position, towards, 0, kAlmost}, share * factor * node.emission);
+        const auto& corner = node.corner;
+        std::array<Vec3, kCandidates> towards;
+        std::array<float, kCandidates> weights{};
+        for (int c = 0; c < kCandidates; ++c) {
+            const Vec2 uv = candidate(sample, c);
+            const Vec3 w = square_to_triangle(uv.x, uv.y);
+            towards[c] = w.x * corner[0] + w.y * corner[1] + w.z * corner[2] - x.position;
+            const float square = std::max(length_squared(towards[c]), 1e-30F);
+            weights[c] = std::max(0.0F, dot(towards[c], x.normal)) * std::max(0.0F, -dot(towards[c], node.normal)) /
+                         (square * square);
         }
+        const int chosen = choose(weights, sample.z);
+        if (weights[chosen] > 0) {
+            add_shadow_ray(i, {x.position, towards[chosen], 0, kAlmost}, share * irradiance_from(emitter, x));
+        }
+    }
+
+    // One in each quarter of the unit square.
+    static Vec2 candidate(Vec3 sample, int c) {
+        return {0.5F * (sample.x + static_cast<float>(c % 2)), 0.5F * (sample.y + static_cast<float>(c / 2))};
+    }
+
+    static int choose(const std::array<float, kCandidates>& weights, float u) {
+        float target = u * (weights[0] + weights[1] + weights[2] + weights[3]);
+        int chosen = 0;
+        while (chosen < kCandidates - 1 && !(target < weights[chosen])) {
+            target -= weights[chosen++];
+        }
+        return chosen;
     }
 
     void add_shadow_ray(std::size_t i, const Ray& ray, Rgb light) {

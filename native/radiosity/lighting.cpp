@@ -249,11 +249,14 @@ void Lighting::darken(NodeId sender) {
     }
 }
 
-int Lighting::settle(int most, double converged, const Control& control) {
+int Lighting::settle(int most, double converged, const Control& control, const std::function<void()>& before_each) {
     constexpr int kPatience = 10;  // iterations until steps must shrink
     constexpr float kDimming = 0.9F;
     double before = kInfinity;
     for (int count = 1; count <= most; ++count) {
+        if (before_each) {
+            before_each();
+        }
         const double step = iterate(control);
         if (step <= converged) {
             return count;

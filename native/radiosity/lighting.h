@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -45,7 +46,8 @@ class Lighting {
 
     // Iterates until a step is at most `converged`, at most `most` times; returns how often. Sampled links may send on
     // a little more than they get. Where steps do not shrink, all light between surfaces is dimmed until they do.
-    int settle(int most, double converged, const Control& control);
+    // before_each: is called before every iteration.
+    int settle(int most, double converged, const Control& control, const std::function<void()>& before_each = {});
 
     // From now on a leaf cluster has this light, whatever its links tell: power that arrives at its faces and that they
     // reflect [W], and how it leaves [W/sr].

@@ -227,7 +227,7 @@ Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId r
     if (samples == SampleSet::kLink && seen.visibility > 0 && seen.visibility < 1) {
         find_occluders(tracer, pairs, seen, link);
     }
-    if (lighting && from.kind == NodeKind::kElement && is_uneven(*lighting, sender)) {
+    if (lighting && from.kind == NodeKind::kElement && from.patch == kNone && is_uneven(*lighting, sender)) {
         const float brightness = brightness_of_nearer_parts(*lighting, to, sender, from) *
                                  brightness_of_seen_parts(*lighting, sender, pairs, seen);
         link.brightness = std::clamp(brightness, 1 / kMostBrightness, kMostBrightness);

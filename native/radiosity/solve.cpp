@@ -16,8 +16,7 @@ namespace {
 constexpr float kCoarseness[] = {16, 4, 1};
 constexpr int kSweepsBetween = 5;
 constexpr int kSweepsAtEnd = 200;  // enough for a mean reflectance of 0.97
-constexpr int kSweepsOfFaces = 50;
-constexpr int kCorrections = 2;
+constexpr int kCorrections = 1;
 constexpr double kConverged = 1e-3;  // change of the reflected power in one sweep, share of it
 
 struct Power {
@@ -81,10 +80,10 @@ void report(const Solution& solution, Statistics& statistics) {
                                                       solution.links.hits.capacity() * sizeof(NearHit)));
 }
 
-// Rays from a group of faces: 12 at the default quality.
+// Rays from a group of faces: 8 at the default quality.
 int face_rays(float quality) {
-    constexpr float kLeast = 4, kMost = 48;
-    return static_cast<int>(std::clamp(0.24F / quality, kLeast, kMost));
+    constexpr float kLeast = 4, kMost = 32;
+    return static_cast<int>(std::clamp(0.16F / quality, kLeast, kMost));
 }
 
 // Replaces what links tell of clusters by what their faces see, and lets light come to rest once more.
@@ -95,14 +94,12 @@ void light_faces(Solution& solution, const RayTracer& tracer, int rays, const Co
     solution.elements = find_elements(solution.hierarchy);
     GatheredLight& faces = solution.face_light;
     faces = GatheredLight(solution.hierarchy, solution.elements, solution.lighting, tracer, rays, control);
+    solution.lighting.set_gain(1);  // without the clusters' own links, nothing need be dimmed
     for (int round = 0; round <= kCorrections; ++round) {
-        for (int sweep = 0; sweep < kSweepsOfFaces; ++sweep) {
+        solution.lighting.settle(kSweepsAtEnd, kConverged, control, [&] {
             faces.gather(solution.lighting, control);
             faces.tell(solution.lighting, control);
-            if (solution.lighting.iterate(control) <= kConverged) {
-                break;
-            }
-        }
+        });
         if (round < kCorrections) {
             faces.gather(solution.lighting, control);
             faces.correct(solution.lighting, control);
@@ -144,6 +141,7 @@ std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& c
     {
         const StageTimer timer(statistics, "faces");
         light_faces(*solution, tracer, face_rays(settings.quality), control);
+        statistics.set_count("gain of links", solution->lighting.gain());
         statistics.set_count("face groups", static_cast<double>(solution->face_light.count()));
     }
     {
