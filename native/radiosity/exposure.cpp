@@ -13,7 +13,7 @@ namespace gg {
 
 namespace {
 
-constexpr std::uint32_t kRays = 1;        // from every side of a face, at least
+constexpr std::size_t kSides = 8;         // of a group that look around, each for its neighbours, too
 constexpr float kEnough = 6, kMost = 32;  // from a group of the size of a detail, and from a large one
 constexpr float kDetail = 1.0F / 128;     // share of the scene's size
 constexpr float kClose = 0.1F;            // what blocks all rays from a side so close covers it; as kRoom
@@ -47,12 +47,12 @@ class Surveyor {
         std::size_t first = 0;
         for (std::size_t i = begin; i < end; ++i) {
             const std::span<const FaceSide> sides = groups_[i];
-            const std::uint32_t count = rays_from(sides);
+            const auto [stride, count] = plan_for(sides);
             for (const bool covered : {false, true}) {
                 std::uint32_t rays = 0, blocked = 0;
                 chosen_.clear();
                 for (std::size_t side = 0; side < sides.size(); ++side) {
-                    const auto [far, close] = count_blocked(first + side * count, count);
+                    const auto [far, close] = count_blocked(first + side / stride * count, count);
                     if ((close == count) == covered) {
                         chosen_.push_back(sides[side]);
                         rays += count;
@@ -64,7 +64,7 @@ class Surveyor {
                     out.add(chosen_);
                 }
             }
-            first += sides.size() * count;
+            first += (sides.size() + stride - 1) / stride * count;
         }
     }
 
@@ -73,25 +73,32 @@ class Surveyor {
         std::uint32_t far = 0, close = 0;  // rays that the instance blocks, and does within a short distance
     };
 
+    // Which sides of a group look around, and by how many rays each.
+    struct Plan {
+        std::size_t stride = 1;
+        std::uint32_t rays = 1;
+    };
+
     // Large faces become elements of their own, and must not be taken for covered by chance.
-    std::uint32_t rays_from(std::span<const FaceSide> sides) const {
+    Plan plan_for(std::span<const FaceSide> sides) const {
         float area = 0;
         for (const FaceSide& side : sides) {
             area += length(world_area_vector(scene_, instance_, side.triangle));
         }
+        const std::size_t stride = (sides.size() + kSides - 1) / kSides;
+        const auto count = static_cast<float>((sides.size() + stride - 1) / stride);
         const float wanted = std::clamp(kEnough * std::sqrt(area) / detail_, kEnough, kMost);
-        const auto count = static_cast<std::uint32_t>(sides.size());
-        return std::max(kRays, (static_cast<std::uint32_t>(wanted) + count - 1) / count);
+        return {stride, static_cast<std::uint32_t>(std::ceil(wanted / count))};
     }
 
     void add_rays(std::span<const FaceSide> sides) {
-        const std::uint32_t count = rays_from(sides);
+        const auto [stride, count] = plan_for(sides);
         const Sequence4 sequence(hash64(scene_.instances[instance_].stable_id, sides.front().triangle));
         std::uint32_t k = 0;
-        for (const FaceSide& face : sides) {
-            const auto corner = world_triangle(scene_, instance_, face.triangle);
-            const Vec3 front = normalize_or_zero(world_area_vector(scene_, instance_, face.triangle));
-            const Vec3 normal = face.back ? -front : front;
+        for (std::size_t side = 0; side < sides.size(); side += stride) {
+            const auto corner = world_triangle(scene_, instance_, sides[side].triangle);
+            const Vec3 front = normalize_or_zero(world_area_vector(scene_, instance_, sides[side].triangle));
+            const Vec3 normal = sides[side].back ? -front : front;
             const Frame frame(normal);
             for (const std::uint32_t end = k + count; k < end; ++k) {
                 const Vec3 w = square_to_triangle(sequence(k, 0), sequence(k, 1));

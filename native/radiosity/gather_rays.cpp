@@ -119,14 +119,14 @@ class GatheredLight::Block {
         const Point& middle = points_[points_.size() / 2];
         float total = 0;
         ends_.clear();
-        for (const Lamp& lamp : lamps) {
-            if (!of_element || lamp.shape == LampShape::kDistant) {
-                total += luminance(lamp_irradiance(lamp, middle.position, middle.normal));
+        for (std::size_t lamp = 0; lamp < lamps.size(); ++lamp) {
+            if (!of_element || lamps[lamp].shape == LampShape::kDistant) {
+                total += about_from(owner_.hierarchy_->infinite_and_lamps()[lamp], lamps[lamp].shape, middle);
             }
             ends_.push_back(total);
         }
         for (const NodeId emitter : owner_.emitters_) {
-            total += of_element ? 0 : luminance(irradiance_from(emitter, middle));
+            total += of_element ? 0 : about_from(emitter, LampShape::kRectangle, middle);
             ends_.push_back(total);
         }
         if (ends_.empty() || (of_element && !(total > 0))) {
@@ -158,6 +158,22 @@ class GatheredLight::Block {
                 add_emitter_ray(i, x, owner_.emitters_[source - lamps.size()], sample, share);
             }
         }
+    }
+
+    // What a source brings, to some factor: luminance of the irradiance of a sphere of its size, if any is above the
+    // horizon.
+    float about_from(NodeId source, LampShape shape, const Point& x) const {
+        const Node& node = (*owner_.hierarchy_)[source];
+        const float light = luminance(node.emission);
+        if (shape == LampShape::kDistant) {
+            return light * std::max(0.0F, dot(x.normal, node.center));
+        }
+        const Vec3 towards = node.center - x.position;
+        const float square = length_squared(towards), size = node.radius * node.radius;
+        const float distance = std::sqrt(square);
+        const float cosine = (dot(x.normal, towards) + node.radius) / (distance + node.radius);
+        const float factor = shape == LampShape::kPoint ? 1 / square : size / std::max(square, size);
+        return cosine > 0 ? light * factor * cosine : 0.0F;
     }
 
     // The irradiance is exact; visibility is that of one point of the source, chosen from a few by what they bring. A
