@@ -18,6 +18,7 @@ constexpr int kSweepsBetween = 5;
 constexpr int kSweepsAtEnd = 200;  // enough for a mean reflectance of 0.97
 constexpr int kCorrections = 1;
 constexpr double kConverged = 1e-3;  // change of the reflected power in one sweep, share of it
+constexpr double kNearlyConverged = 1e-2;  // the same, before faces look around
 
 struct Power {
     double emitted = 0, absorbed = 0;  // W, luminance
@@ -135,7 +136,7 @@ std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& c
             solution->lighting.clear(control);
         }
         const int most = coarseness > 1 ? kSweepsBetween : kSweepsAtEnd;
-        sweeps += solution->lighting.settle(most, kConverged, control);
+        sweeps += solution->lighting.settle(most, kNearlyConverged, control);
     }
     statistics.set_count("sweeps", sweeps);
     {
