@@ -22,7 +22,7 @@ constexpr float kLargeFace = 4;          // smallest face that is looked at, in 
 constexpr float kFirstPatch = 4;         // largest patch that is not split unseen, in details
 constexpr float kReach = 8;              // of a ray, in details
 constexpr std::uint32_t kRays = 24;      // to see whether some part may be covered
-constexpr std::uint32_t kMostRays = 64;  // to measure by how much
+constexpr std::uint32_t kMostRays = 40;  // to measure by how much
 constexpr int kMostLevels = 10;
 // A patch from which no more than the first share of its hemispheres is open is covered, from the second on it is
 // exposed: a floor's edge between two walls must be.
