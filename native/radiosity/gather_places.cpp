@@ -10,6 +10,8 @@ namespace gg {
 
 namespace {
 
+constexpr float kCovered = 0.1F;  // exposure
+constexpr float kLeastRays = 2;
 constexpr float kForElements = 1, kMostRays = 16;
 constexpr float kDetail = 1.0F / 128;  // size of a group, as a share of the scene's, from which all rays start
 
@@ -71,9 +73,12 @@ void GatheredLight::list_groups(std::uint32_t instance, const InstanceParts& par
         const float inverse = 1 / std::max(area, 1e-30F);
         irradiance_[first_[instance] + g] = inverse * arriving;
         reflectance_[first_[instance] + g] = inverse * reflecting;
-        // Small ones have many neighbours.
-        const float share = std::clamp(std::sqrt(area) / detail(), 0.25F, 2.0F);
-        const auto count = static_cast<std::uint32_t>(std::max(2.0F, static_cast<float>(rays) * share));
+        // Small ones have many neighbours; covered ones have next to no light.
+        const FaceSide& first = groups[g].front();
+        const Exposure& exposure = mesh.exposure[first.triangle];
+        const bool covered = (first.back ? exposure.back : exposure.front) < kCovered;
+        const float share = covered ? 0.0F : std::clamp(std::sqrt(area) / detail(), 0.25F, 2.0F);
+        const auto count = static_cast<std::uint32_t>(std::max(kLeastRays, static_cast<float>(rays) * share));
         out.push_back({instance, g, kNone, area, count, 0});
     }
 }
@@ -131,7 +136,7 @@ void GatheredLight::list_elements(int rays) {
             // By area: the mean of a whole wall must be sure, its small parts have links.
             const float share = node.area / (detail() * detail());
             const auto count = static_cast<std::uint32_t>(
-                std::clamp(kForElements * static_cast<float>(rays) * share, 2.0F, kMostRays));
+                std::clamp(kForElements * static_cast<float>(rays) * share, kLeastRays, kMostRays));
             places_.push_back({node.instance, kNone, id, node.area, count, 0});
             elements_.push_back(id);
         }

@@ -16,7 +16,7 @@ namespace gg {
 
 namespace {
 
-constexpr std::uint32_t kRaysPerLampRay = 3;
+constexpr std::uint32_t kRaysPerLampRay = 2;
 constexpr int kCandidates = 4;
 constexpr float kAlmost = 0.9999F;  // of the way to a source
 constexpr float kEvenShare = 0.1F;  // of the lamps' rays: spread over all lamps, whatever the middle point gets
@@ -52,7 +52,7 @@ class GatheredLight::Block {
     }
 
   private:
-    static std::uint32_t lamp_rays_of(const Place& place) { return std::max(2U, place.rays / kRaysPerLampRay); }
+    static std::uint32_t lamp_rays_of(const Place& place) { return std::max(1U, place.rays / kRaysPerLampRay); }
 
     struct Point {
         Vec3 position{0.0F}, normal{0.0F};
