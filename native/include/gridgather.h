@@ -4,9 +4,9 @@
  * (the scene is frozen by the first), gg_render_... while a render runs, gg_render_destroy, gg_scene_destroy.
  *
  * Conventions. Lengths in metres, Z up, right-handed. Matrices are 3x4, row-major, object to world. Colours are
- * scene-linear Rec.709. Power in watts, radiance in W/(m2 sr), as Cycles reads and writes them. Arrays are C-contiguous,
- * are read during the call and copied: the caller keeps them. Strings are UTF-8; a null string reads as "". Structs
- * are plain data; a struct that is all zero but for the fields named as required is valid.
+ * scene-linear Rec.709. Power in watts, radiance in W/(m2 sr), as Cycles reads and writes them. Arrays are
+ * C-contiguous, are read during the call and copied: the caller keeps them. Strings are UTF-8; a null string reads as
+ * "". Structs are plain data; a struct that is all zero but for the fields named as required is valid.
  *
  * Errors. Every function that can fail returns a gg_status and changes nothing when it fails; gg_last_error() then
  * has a sentence about it. No function throws, prints or ends the process. A scene or render belongs to one calling
@@ -37,7 +37,7 @@ typedef enum gg_status {
     GG_WRONG_STATE = 3,      /* call out of order: adding to a frozen scene, reading an unfinished render */
     GG_INVALID_SCENE = 4,    /* nothing can be rendered: no camera, ... */
     GG_OUT_OF_MEMORY = 5,
-    GG_INTERNAL_ERROR = 6    /* a bug of the library */
+    GG_INTERNAL_ERROR = 6 /* a bug of the library */
 } gg_status;
 
 typedef struct gg_scene gg_scene;
@@ -58,27 +58,33 @@ GG_API gg_status gg_scene_create(gg_scene** scene);
 GG_API void gg_scene_destroy(gg_scene* scene); /* null is fine; renders of it must be destroyed before */
 
 typedef enum gg_color_space { GG_COLOR_SRGB = 0, GG_COLOR_LINEAR = 1 } gg_color_space;
-typedef enum gg_extension { GG_EXTENSION_REPEAT = 0, GG_EXTENSION_EXTEND = 1, GG_EXTENSION_CLIP = 2, GG_EXTENSION_MIRROR = 3 } gg_extension;
+typedef enum gg_extension {
+    GG_EXTENSION_REPEAT = 0,
+    GG_EXTENSION_EXTEND = 1,
+    GG_EXTENSION_CLIP = 2,
+    GG_EXTENSION_MIRROR = 3
+} gg_extension;
 typedef enum gg_filter_mode { GG_FILTER_LINEAR = 0, GG_FILTER_CLOSEST = 1 } gg_filter_mode;
 
 /* An image: a file (path) or, when path is null, pixels. A file that cannot be read becomes a message and reads as
  * magenta, like Cycles. */
 typedef struct gg_image {
-    const char* name; /* shown in messages */
-    const char* path; /* absolute, or null */
-    const float* pixels; /* (height, width, 4) RGBA, bottom row first; values in `color_space` */
+    const char* name;       /* shown in messages */
+    const char* path;       /* absolute, or null */
+    const float* pixels;    /* (height, width, 4) RGBA, bottom row first; values in `color_space` */
     uint32_t width, height; /* of pixels, >= 1 */
-    int32_t color_space; /* gg_color_space, of file or pixels */
-    int32_t extension; /* gg_extension, outside of [0,1] */
-    int32_t filter_mode; /* gg_filter_mode */
+    int32_t color_space;    /* gg_color_space, of file or pixels */
+    int32_t extension;      /* gg_extension, outside of [0,1] */
+    int32_t filter_mode;    /* gg_filter_mode */
 } gg_image;
 
 GG_API gg_status gg_scene_add_image(gg_scene* scene, const gg_image* image, uint32_t* image_id);
 
-/* A colour: `factor` alone, or factor times the image's colour at uv_map applied to the surface's texture coordinates. */
+/* A colour: `factor` alone, or factor times the image's colour at uv_map applied to the surface's texture coordinates.
+ */
 typedef struct gg_color_input {
     float factor[3]; /* >= 0, finite */
-    uint32_t image; /* image id or GG_NONE */
+    uint32_t image;  /* image id or GG_NONE */
     float uv_map[6]; /* 2x3 row-major: u' = m0 u + m1 v + m2, v' = m3 u + m4 v + m5; all zero reads as identity */
 } gg_color_input;
 
@@ -86,7 +92,7 @@ typedef struct gg_color_input {
 typedef struct gg_material {
     const char* name;
     gg_color_input reflectance; /* clamped to [0, 0.99] where used */
-    gg_color_input emission; /* radiance, W/(m2 sr) */
+    gg_color_input emission;    /* radiance, W/(m2 sr) */
 } gg_material;
 
 GG_API gg_status gg_scene_add_material(gg_scene* scene, const gg_material* material, uint32_t* material_id);
@@ -99,30 +105,31 @@ typedef struct gg_mesh {
     const float* positions; /* (vertex_count, 3) */
     uint32_t triangle_count;
     const uint32_t* triangle_vertices; /* (triangle_count, 3) < vertex_count */
-    const uint32_t* triangle_corners; /* (triangle_count, 3) < corner_count; null when corner_count is 0 */
-    const uint32_t* triangle_slots; /* (triangle_count) material slot; null: all 0 */
-    uint32_t corner_count; /* 0: flat shading, no texture coordinates */
-    const float* corner_normals; /* (corner_count, 3) shading normals, or null: flat */
-    const float* corner_uvs; /* (corner_count, 2), or null: (0, 0) */
+    const uint32_t* triangle_corners;  /* (triangle_count, 3) < corner_count; null when corner_count is 0 */
+    const uint32_t* triangle_slots;    /* (triangle_count) material slot; null: all 0 */
+    uint32_t corner_count;             /* 0: flat shading, no texture coordinates */
+    const float* corner_normals;       /* (corner_count, 3) shading normals, or null: flat */
+    const float* corner_uvs;           /* (corner_count, 2), or null: (0, 0) */
 } gg_mesh;
 
 GG_API gg_status gg_scene_add_mesh(gg_scene* scene, const gg_mesh* mesh, uint32_t* mesh_id);
 
 enum { /* gg_instances.flags: what kind of ray does not see the instance */
-    GG_HIDDEN_FROM_CAMERA = 1,
-    GG_HIDDEN_FROM_LIGHT = 2 /* neither receives senders' rays, nor casts shadows, nor sends light */
+       GG_HIDDEN_FROM_CAMERA = 1,
+       GG_HIDDEN_FROM_LIGHT = 2 /* neither receives senders' rays, nor casts shadows, nor sends light */
 };
 
 /* `count` placed meshes. Instances with the same material slots share one list of materials. */
 typedef struct gg_instances {
     uint32_t count;
-    const uint32_t* meshes; /* (count) mesh ids */
-    const float* matrices; /* (count, 3, 4) */
+    const uint32_t* meshes;     /* (count) mesh ids */
+    const float* matrices;      /* (count, 3, 4) */
     const uint64_t* stable_ids; /* (count) same thing, same id in every frame and session; distinct; null: index */
-    const uint32_t* flags; /* (count) or null: all 0 */
-    const char* const* names; /* (count), shown in messages; null: mesh names */
-    uint32_t slot_count; /* material slots of every instance in this call */
-    const uint32_t* materials; /* (slot_count) material ids or GG_NONE (grey 0.8); a slot beyond the end reads the last */
+    const uint32_t* flags;      /* (count) or null: all 0 */
+    const char* const* names;   /* (count), shown in messages; null: mesh names */
+    uint32_t slot_count;        /* material slots of every instance in this call */
+    const uint32_t*
+        materials; /* (slot_count) material ids or GG_NONE (grey 0.8); a slot beyond the end reads the last */
 } gg_instances;
 
 GG_API gg_status gg_scene_add_instances(gg_scene* scene, const gg_instances* instances);
@@ -135,13 +142,13 @@ typedef struct gg_light {
     const char* name;
     int32_t type; /* gg_light_type */
     float matrix[12];
-    float power[3]; /* W times colour; sun: irradiance [W/m2] times colour on a surface that faces it */
-    float radius; /* m, point and spot, >= 0 */
+    float power[3];       /* W times colour; sun: irradiance [W/m2] times colour on a surface that faces it */
+    float radius;         /* m, point and spot, >= 0 */
     float size_x, size_y; /* m, area: full widths along the lamp's X and Y */
-    int32_t shape; /* gg_area_shape */
-    float spot_angle; /* rad, full cone, (0, pi] */
-    float spot_blend; /* 0..1 */
-    float angle; /* rad, sun's full angular diameter, [0, pi] */
+    int32_t shape;        /* gg_area_shape */
+    float spot_angle;     /* rad, full cone, (0, pi] */
+    float spot_blend;     /* 0..1 */
+    float angle;          /* rad, sun's full angular diameter, [0, pi] */
     uint64_t stable_id;
 } gg_light;
 
@@ -160,7 +167,7 @@ typedef enum gg_camera_type { GG_CAMERA_PERSPECTIVE = 0, GG_CAMERA_ORTHOGRAPHIC 
 /* Looks along its -Z axis. The window is what the full picture covers: in the plane at distance 1 (perspective), or in
  * metres (orthographic), as x_left, x_right, y_bottom, y_top in camera space. */
 typedef struct gg_camera {
-    int32_t type; /* gg_camera_type */
+    int32_t type;     /* gg_camera_type */
     float matrix[12]; /* camera to world; its scale is ignored */
     float window[4];
     float clip_start, clip_end; /* m along the view direction, 0 <= start < end */
@@ -170,26 +177,27 @@ typedef enum gg_method { GG_METHOD_SOLUTION = 1 } gg_method;
 
 /* A render's numbers. Required: width, height, method. */
 typedef struct gg_settings {
-    int32_t method; /* gg_method */
-    uint32_t width, height; /* of the full picture, 1..65536 */
-    uint32_t crop[4]; /* x, y, width, height in pixels from the lower left; all zero: everything */
-    float quality; /* error of an element's radiosity as a share of the reference white; 0: 0.02; 0.001..1 */
-    uint32_t samples; /* coverage samples a pixel, 1..256; 0: 16 */
-    float filter_width; /* pixels, 0: 1.5 */
-    int32_t filter_type; /* 0 Blackman-Harris, 1 Gauss, 2 box */
-    float exposure; /* factor on every pixel, 0: 1 */
+    int32_t method;           /* gg_method */
+    uint32_t width, height;   /* of the full picture, 1..65536 */
+    uint32_t crop[4];         /* x, y, width, height in pixels from the lower left; all zero: everything */
+    float quality;            /* error of an element's radiosity as a share of the reference white; 0: 0.02; 0.001..1 */
+    uint32_t samples;         /* coverage samples a pixel, 1..256; 0: 16 */
+    float filter_width;       /* pixels, 0: 1.5 */
+    int32_t filter_type;      /* 0 Blackman-Harris, 1 Gauss, 2 box */
+    float exposure;           /* factor on every pixel, 0: 1 */
     int32_t film_transparent; /* 1: the world behind is alpha 0 */
-    int32_t threads; /* 0: all cores */
+    int32_t threads;          /* 0: all cores */
 } gg_settings;
 
 /* Copies what it needs, validates, starts the work on the library's own threads and returns at once. Lighting that an
  * earlier render of this scene solved for the same quality is reused. */
-GG_API gg_status gg_render_start(gg_scene* scene, const gg_camera* camera, const gg_settings* settings, gg_render** render);
+GG_API gg_status gg_render_start(gg_scene* scene, const gg_camera* camera, const gg_settings* settings,
+                                 gg_render** render);
 
 typedef struct gg_progress {
     int32_t finished; /* 1: the result, a failure or a cancel is final */
-    int32_t status; /* gg_status of the render when finished */
-    float fraction; /* 0..1 */
+    int32_t status;   /* gg_status of the render when finished */
+    float fraction;   /* 0..1 */
     uint32_t finished_tiles, tiles;
     uint64_t memory, peak_memory; /* bytes of the library's own data */
     char stage[64];

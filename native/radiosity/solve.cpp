@@ -17,7 +17,7 @@ constexpr float kCoarseness[] = {16, 4, 1};
 constexpr int kSweepsBetween = 5;
 constexpr int kSweepsAtEnd = 200;  // enough for a mean reflectance of 0.97
 constexpr int kCorrections = 1;
-constexpr double kConverged = 1e-3;  // change of the reflected power in one sweep, share of it
+constexpr double kConverged = 1e-3;        // change of the reflected power in one sweep, share of it
 constexpr double kNearlyConverged = 1e-2;  // the same, before faces look around
 
 struct Power {
