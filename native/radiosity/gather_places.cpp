@@ -79,7 +79,7 @@ void GatheredLight::list_groups(std::uint32_t instance, const InstanceParts& par
         const bool covered = (first.back ? exposure.back : exposure.front) < kCovered;
         const float share = covered ? 0.0F : std::clamp(std::sqrt(area) / detail(), 0.25F, 2.0F);
         const auto count = static_cast<std::uint32_t>(std::max(kLeastRays, static_cast<float>(rays) * share));
-        out.push_back({instance, g, kNone, area, count, 0});
+        out.push_back({instance, g, kNone, count, 0});
     }
 }
 
@@ -137,7 +137,7 @@ void GatheredLight::list_elements(int rays) {
             const float share = node.area / (detail() * detail());
             const auto count = static_cast<std::uint32_t>(
                 std::clamp(kForElements * static_cast<float>(rays) * share, kLeastRays, kMostRays));
-            places_.push_back({node.instance, kNone, id, node.area, count, 0});
+            places_.push_back({node.instance, kNone, id, count, 0});
             elements_.push_back(id);
         }
     }

@@ -52,7 +52,6 @@ class GatheredLight {
     struct Place {
         std::uint32_t instance = 0, group = 0;
         NodeId element = kNone;
-        float area = 0;  // m2
         std::uint32_t rays = 0;
         std::size_t first_ray = 0;
     };

@@ -215,17 +215,6 @@ double Lighting::total_reflected_power() const {
     return total;
 }
 
-double Lighting::power_at_elements() const {
-    double total = 0;
-    const auto& nodes = hierarchy_.nodes();
-    for (NodeId id = 0; id < nodes.size(); ++id) {
-        if (nodes[id].kind == NodeKind::kElement && nodes[id].child_count == 0) {
-            total += area_[id] * static_cast<double>(luminance(irradiance_[id]));
-        }
-    }
-    return total;
-}
-
 void Lighting::clear(const Control& control) {
     std::fill(irradiance_.begin(), irradiance_.end(), Rgb(0.0F));
     std::fill(corners_.begin(), corners_.end(), std::array<Rgb, 3>{});

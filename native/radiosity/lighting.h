@@ -60,8 +60,6 @@ class Lighting {
     // Scales all light that links bring from surface to surface; 1 at first.
     void set_gain(float gain) { gain_ = gain; }
     [[nodiscard]] float gain() const { return gain_; }
-    // Luminance of what arrives at all elements, W.
-    [[nodiscard]] double power_at_elements() const;
 
     // Means over the node's faces, W/m2. Lamps and sky have their emission as radiosity.
     [[nodiscard]] Rgb radiosity(NodeId id) const { return radiosity_[id]; }

@@ -77,6 +77,7 @@ void report(const Solution& solution, Statistics& statistics) {
     statistics.set_count("reference white", solution.white.irradiance);
     statistics.set_count("extent of light", solution.white.extent);
     statistics.set_bytes("hierarchy", static_cast<double>(solution.hierarchy.bytes() + solution.lighting.bytes()));
+    statistics.set_bytes("faces", static_cast<double>(solution.face_light.bytes()));
     statistics.set_bytes("links", static_cast<double>(solution.links.all.capacity() * sizeof(Link) +
                                                       solution.links.hits.capacity() * sizeof(NearHit)));
 }
