@@ -122,7 +122,8 @@ class VertexBuilder {
         }
         values.resize(sums_[side].size());
         for (std::size_t i = 0; i < values.size(); ++i) {
-            values[i] = weights_[side][i] > 0 ? sums_[side][i] / weights_[side][i] : Rgb(0.0F);
+            // A linear function that was corrected may be below zero at a corner.
+            values[i] = weights_[side][i] > 0 ? glm::max(sums_[side][i] / weights_[side][i], Rgb(0.0F)) : Rgb(0.0F);
         }
     }
 

@@ -48,7 +48,7 @@ void Lighting::push(NodeId id) {
             corner += correction_[slot_[id]];
         }
     }
-    irradiance_[id] = (corners[0] + corners[1] + corners[2]) / 3.0F;
+    irradiance_[id] = glm::max((corners[0] + corners[1] + corners[2]) / 3.0F, Rgb(0.0F));
 }
 
 void Lighting::pull(NodeId id) {
