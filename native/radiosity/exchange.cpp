@@ -64,6 +64,11 @@ bool never_exchange(const Hierarchy& hierarchy, const Node& receiver, const Node
     return behind_lamp(receiver, lamp) || spot_edge(receiver, lamp) == SpotEdge::kOutside;
 }
 
+bool is_infinite(const Hierarchy& hierarchy, const Node& sender) {
+    return sender.kind == NodeKind::kSky ||
+           (sender.kind == NodeKind::kLamp && hierarchy.scene().lamps[sender.source].shape == LampShape::kDistant);
+}
+
 bool separated(const Node& receiver, const Node& sender) {
     return length(receiver.center - sender.center) > receiver.radius + sender.radius;
 }

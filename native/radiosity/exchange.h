@@ -12,6 +12,9 @@ namespace gg {
 // surface sender's: multiply by the mean radiosity.
 [[nodiscard]] float form_factor_bound(const Hierarchy& hierarchy, const Node& receiver, const Node& sender);
 
+// The sky, and lamps as far away: without a distance.
+[[nodiscard]] bool is_infinite(const Hierarchy& hierarchy, const Node& sender);
+
 // Bounding spheres apart: far-field formulas hold.
 [[nodiscard]] bool separated(const Node& receiver, const Node& sender);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kCovered = 0.1F;  // exposure
 constexpr float kLeastRays = 2;
-constexpr float kForElements = 1, kMostRays = 16;
+constexpr float kMostRays = 16;        // of an element: it has links, too
 constexpr float kDetail = 1.0F / 128;  // size of a group, as a share of the scene's, from which all rays start
 
 }  // namespace
@@ -135,8 +135,8 @@ void GatheredLight::list_elements(int rays) {
         if (node.kind == NodeKind::kElement && node.child_count == 0) {
             // By area: the mean of a whole wall must be sure, its small parts have links.
             const float share = node.area / (detail() * detail());
-            const auto count = static_cast<std::uint32_t>(
-                std::clamp(kForElements * static_cast<float>(rays) * share, kLeastRays, kMostRays));
+            const auto count =
+                static_cast<std::uint32_t>(std::clamp(static_cast<float>(rays) * share, kLeastRays, kMostRays));
             places_.push_back({node.instance, kNone, id, count, 0});
             elements_.push_back(id);
         }

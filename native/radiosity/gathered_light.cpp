@@ -6,6 +6,7 @@
 
 #include "core/parallel.h"
 #include "radiosity/correction.h"
+#include "radiosity/exchange.h"
 #include "radiosity/lighting.h"
 
 namespace gg {
@@ -13,11 +14,6 @@ namespace gg {
 namespace {
 
 constexpr std::size_t kPlacesAtOnce = 32;
-
-bool is_infinite(const Hierarchy& hierarchy, NodeId sender) {
-    const Node& node = hierarchy[sender];
-    return node.kind == NodeKind::kSky || hierarchy.scene().lamps[node.source].shape == LampShape::kDistant;
-}
 
 }  // namespace
 
@@ -34,7 +30,7 @@ GatheredLight::GatheredLight(const Hierarchy& hierarchy, const ElementTable& ele
     Lighting close_by = lighting;
     close_by.clear(control);
     for (const NodeId sender : hierarchy.infinite_and_lamps()) {
-        if (is_infinite(hierarchy, sender)) {
+        if (is_infinite(hierarchy, hierarchy[sender])) {
             close_by.darken(sender);
         }
     }

@@ -26,7 +26,7 @@ class GatheredLight {
 
     GatheredLight() = default;
 
-    // Traces all rays: about `rays` from a group of the size of a detail, fewer from elements, and shadow rays to
+    // Traces all rays: about `rays` from a group or an element of the size of a detail, and shadow rays to
     // lamps. Groups begin with what their cluster's links tell. The hierarchy must outlive this, unchanged.
     GatheredLight(const Hierarchy& hierarchy, const ElementTable& elements, const Lighting& lighting,
                   const RayTracer& tracer, int rays, const Control& control);

@@ -121,10 +121,7 @@ float lost_shadow(const Hierarchy& hierarchy, const Node& element, const std::ar
 
 // Between the middles, m; infinite for the sky and distant lamps.
 float distance_to(const Hierarchy& hierarchy, const Node& receiver, const Node& sender) {
-    const bool infinite =
-        sender.kind == NodeKind::kSky ||
-        (sender.kind == NodeKind::kLamp && hierarchy.scene().lamps[sender.source].shape == LampShape::kDistant);
-    return infinite ? kInfinity : length(receiver.center - sender.center);
+    return is_infinite(hierarchy, sender) ? kInfinity : length(receiver.center - sender.center);
 }
 
 // Fills form factor and direction at a cluster; returns how much both vary over the receiver.

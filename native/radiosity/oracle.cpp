@@ -119,10 +119,8 @@ float uneven_share(const Node& receiver, const Node& sender, const Link& link) {
 // place's size.
 float local_share(const Hierarchy& hierarchy, const Node& receiver, const Node& sender,
                   const RefineSettings& settings) {
-    const bool infinite =
-        sender.kind == NodeKind::kSky ||
-        (sender.kind == NodeKind::kLamp && hierarchy.scene().lamps[sender.source].shape == LampShape::kDistant);
-    if (receiver.kind != NodeKind::kElement || infinite || sender.radius > kLocal * receiver.radius) {
+    if (receiver.kind != NodeKind::kElement || is_infinite(hierarchy, sender) ||
+        sender.radius > kLocal * receiver.radius) {
         return 0;
     }
     const float distance = distance_to_triangle(sender.center, receiver.corner);

@@ -89,16 +89,18 @@ int face_rays(float quality) {
 }
 
 // Replaces what links tell of clusters by what their faces see, and lets light come to rest once more.
-void light_faces(Solution& solution, const RayTracer& tracer, int rays, const Control& control) {
+// Returns the number of sweeps.
+int light_faces(Solution& solution, const RayTracer& tracer, int rays, const Control& control) {
     if (!solution.hierarchy.has_geometry()) {
-        return;
+        return 0;
     }
+    int sweeps = 0;
     solution.elements = find_elements(solution.hierarchy);
     GatheredLight& faces = solution.face_light;
     faces = GatheredLight(solution.hierarchy, solution.elements, solution.lighting, tracer, rays, control);
     solution.lighting.set_gain(1);  // without the clusters' own links, nothing need be dimmed
     for (int round = 0; round <= kCorrections; ++round) {
-        solution.lighting.settle(kSweepsAtEnd, kConverged, control, [&] {
+        sweeps += solution.lighting.settle(kSweepsAtEnd, kConverged, control, [&] {
             faces.gather(solution.lighting, control);
             faces.tell(solution.lighting, control);
         });
@@ -109,6 +111,7 @@ void light_faces(Solution& solution, const RayTracer& tracer, int rays, const Co
     }
     faces.gather(solution.lighting, control);
     faces.finish();
+    return sweeps;
 }
 
 }  // namespace
@@ -139,13 +142,13 @@ std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& c
         const int most = coarseness > 1 ? kSweepsBetween : kSweepsAtEnd;
         sweeps += solution->lighting.settle(most, kNearlyConverged, control);
     }
-    statistics.set_count("sweeps", sweeps);
     {
         const StageTimer timer(statistics, "faces");
-        light_faces(*solution, tracer, face_rays(settings.quality), control);
+        sweeps += light_faces(*solution, tracer, face_rays(settings.quality), control);
         statistics.set_count("gain of links", solution->lighting.gain());
         statistics.set_count("face groups", static_cast<double>(solution->face_light.count()));
     }
+    statistics.set_count("sweeps", sweeps);
     {
         const StageTimer timer(statistics, "interpolate");
         interpolate_to_vertices(*solution, control);
