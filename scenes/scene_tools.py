@@ -216,6 +216,7 @@ def furniture(name, archive, model, location, turn=0.0, scale=1.0, colours=None,
         parts.remove(empty)
         bpy.data.objects.remove(empty)
     made = join(name, parts)
+    remove_doubles(made)
     low, high = extent(made)
     to_middle = Matrix.Translation((-(low[0] + high[0]) / 2, -(low[1] + high[1]) / 2, -low[2]))
     made.data.transform(Matrix.Scale(scale / 100, 4) @ to_middle)
@@ -243,6 +244,25 @@ def imported_material(name, material, colour):
         picture_of.pixels.foreach_get(pixels)
         write_pixels(picture_of, pixels.reshape(picture_of.size[1], picture_of.size[0], 4)[..., :3])
     return diffuse(name, picture_of)
+
+
+def remove_doubles(thing):
+    """Delete faces that lie on another face of the object: models made for one-sided games have leaves twice, whose
+    shadow on themselves is an accident of rounding in every renderer."""
+    low, high = extent(thing)
+    grain = 1e-5 * (high - low).max()
+    edited = bmesh.new()
+    edited.from_mesh(thing.data)
+    place = [tuple(round(c / grain) for c in vertex.co) for vertex in edited.verts]
+    seen, doomed = set(), []
+    for face in edited.faces:
+        corners = frozenset(place[vertex.index] for vertex in face.verts)
+        if corners in seen:
+            doomed.append(face)
+        seen.add(corners)
+    bmesh.ops.delete(edited, geom=doomed, context="FACES")
+    edited.to_mesh(thing.data)
+    edited.free()
 
 
 def remove_faces(part, material_names):

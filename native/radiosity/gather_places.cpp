@@ -11,9 +11,11 @@ namespace gg {
 namespace {
 
 constexpr float kCovered = 0.1F;  // exposure
+// Of a group, as shares of the rays of one of the size of a detail; small ones have many neighbours.
+constexpr float kLeastShare = 0.25F, kMostShare = 64;
 constexpr float kLeastRays = 2;
-constexpr float kMostRays = 16;        // of an element: it has links, too
-constexpr float kDetail = 1.0F / 128;  // size of a group, as a share of the scene's, from which all rays start
+constexpr float kLeastElementRays = 8, kMostElementRays = 512;
+constexpr float kDetail = 1.0F / 256;  // size of a place, as a share of the scene's, from which all rays start
 
 }  // namespace
 
@@ -29,13 +31,18 @@ void GatheredLight::find_groups(const Lighting& lighting, int rays, const Contro
         }
     }
     irradiance_.assign(total, Rgb(0.0F));
-    reflectance_.assign(total, Rgb(0.0F));
     places_ = parallel_collect<Place>(parts.size(), 1, control,
                                       [&](std::size_t begin, std::size_t end, std::vector<Place>& out) {
                                           for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
                                               list_groups(i, parts[i], lighting, rays, out);
                                           }
                                       });
+    place_of_group_.assign(total, kNone);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        const Rgb irradiance = irradiance_[first_[places_[i].instance] + places_[i].group];
+        place_of_group_[first_[places_[i].instance] + places_[i].group] = static_cast<std::uint32_t>(i);
+        radiosity_.push_back(places_[i].reflectance * irradiance);
+    }
 }
 
 void GatheredLight::list_groups(std::uint32_t instance, const InstanceParts& parts, const Lighting& lighting, int rays,
@@ -72,14 +79,14 @@ void GatheredLight::list_groups(std::uint32_t instance, const InstanceParts& par
         }
         const float inverse = 1 / std::max(area, 1e-30F);
         irradiance_[first_[instance] + g] = inverse * arriving;
-        reflectance_[first_[instance] + g] = inverse * reflecting;
-        // Small ones have many neighbours; covered ones have next to no light.
+        // What is covered has next to no light.
         const FaceSide& first = groups[g].front();
         const Exposure& exposure = mesh.exposure[first.triangle];
         const bool covered = (first.back ? exposure.back : exposure.front) < kCovered;
-        const float share = covered ? 0.0F : std::clamp(std::sqrt(area) / detail(), 0.25F, 2.0F);
+        const float size = std::sqrt(area) / detail();
+        const float share = covered ? 0.0F : std::clamp(std::max(std::min(1.0F, size), size * size), kLeastShare, kMostShare);
         const auto count = static_cast<std::uint32_t>(std::max(kLeastRays, static_cast<float>(rays) * share));
-        out.push_back({instance, g, kNone, count, 0});
+        out.push_back({instance, g, cluster[g], kNone, count, 0, 1, area, inverse * reflecting});
     }
 }
 
@@ -128,38 +135,24 @@ void GatheredLight::list_shares(const Control& control) {
     }
 }
 
-void GatheredLight::list_elements(int rays) {
+void GatheredLight::list_elements(const Lighting& lighting, int rays, float dark) {
     first_element_ = places_.size();
+    place_of_element_.assign(hierarchy_->nodes().size(), kNone);
+    std::vector<NodeId> leaves;
     for (NodeId id = 0; id < hierarchy_->nodes().size(); ++id) {
         const Node& node = (*hierarchy_)[id];
         if (node.kind == NodeKind::kElement && node.child_count == 0) {
-            // By area: the mean of a whole wall must be sure, its small parts have links.
-            const float share = node.area / (detail() * detail());
-            const auto count =
-                static_cast<std::uint32_t>(std::clamp(static_cast<float>(rays) * share, kLeastRays, kMostRays));
-            places_.push_back({node.instance, kNone, id, count, 0});
-            elements_.push_back(id);
+            const bool is_dark = luminance(lighting.irradiance(id)) < dark;
+            const float share = is_dark ? 0.0F : node.area / (detail() * detail());
+            const auto count = static_cast<std::uint32_t>(
+                std::clamp(static_cast<float>(rays) * share, kLeastElementRays, kMostElementRays));
+            place_of_element_[id] = static_cast<std::uint32_t>(places_.size());
+            places_.push_back({node.instance, kNone, kNone, id, count, 0, 1, node.area, node.reflectance});
+            radiosity_.push_back(node.reflectance * lighting.irradiance(id));
+            leaves.push_back(id);
         }
     }
-}
-
-void GatheredLight::find_emitters() {
-    constexpr std::size_t kMost = 256;     // every place looks at all of them
-    constexpr double kLargest = 1.0 / 16;  // share of all area; rays find larger ones by themselves
-    double area = 0, emitting = 0;
-    for (NodeId id = 0; id < hierarchy_->nodes().size(); ++id) {
-        const Node& node = (*hierarchy_)[id];
-        if (is_surface(node) && node.child_count == 0) {
-            area += node.area;
-        }
-        if (node.kind == NodeKind::kElement && node.depth == 0 && luminance(node.emission) > 0) {
-            emitters_.push_back(id);
-            emitting += node.area;
-        }
-    }
-    if (emitters_.size() > kMost || emitting > kLargest * area) {
-        emitters_.clear();
-    }
+    elements_ = ElementOpinions(*hierarchy_, leaves);
 }
 
 float GatheredLight::detail() const {

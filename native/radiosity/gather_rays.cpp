@@ -1,25 +1,23 @@
 // GatheredLight: the rays of its places.
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 #include "core/random.h"
 #include "radiosity/gathered_light.h"
 #include "radiosity/lighting.h"
+#include "radiosity/source_rays.h"
 #include "trace/ray_tracer.h"
 #include "trace/surface_point.h"
-#include "transport/emitter_sampling.h"
-#include "transport/form_factor.h"
 
 namespace gg {
 
 namespace {
 
-constexpr std::uint32_t kRaysPerLampRay = 2;
-constexpr int kCandidates = 4;
-constexpr float kAlmost = 0.9999F;  // of the way to a source
-constexpr float kEvenShare = 0.1F;  // of the lamps' rays: spread over all lamps, whatever the middle point gets
+constexpr std::uint32_t kRaysPerShadowRay = 2;  // of groups
+constexpr std::uint32_t kProbes = 3;
+constexpr std::uint64_t kProbeSeed = 0x70726f62;
 
 }  // namespace
 
@@ -31,41 +29,99 @@ class GatheredLight::Block {
 
     void gather(std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
+            first_point_.push_back(points_.size());
             add_points(i);
-            add_lamp_rays(i);
         }
+        first_point_.push_back(points_.size());
         hits_.resize(rays_.size());
         tracer_.closest_hits(rays_, hits_, RayMask::kLight, Coherence::kIncoherent);
+        covered_.assign(points_.size(), 0);
+        for (std::size_t i = begin; i < end; ++i) {
+            if (owner_.places_[i].element != kNone) {
+                probe_close_points(i, first_point_[i - begin], first_point_[i - begin + 1]);
+            }
+        }
+        find_covered_points();
+        for (std::size_t i = begin; i < end; ++i) {
+            leave_out_covered_points(i, first_point_[i - begin], first_point_[i - begin + 1]);
+            add_source_rays(i);
+            arrive(i);
+        }
         blocked_.resize(shadow_rays_.size());
         tracer_.occluded(shadow_rays_, blocked_, RayMask::kLight, Coherence::kIncoherent);
         for (std::size_t i = 0; i < shadow_rays_.size(); ++i) {
             if (!blocked_[i]) {
-                owner_.constant_[shadow_places_[i]] += shadow_light_[i];
-            }
-        }
-        std::size_t ray = 0;
-        for (std::size_t i = begin; i < end; ++i) {
-            for (std::size_t k = 0; k < owner_.places_[i].rays; ++k, ++ray) {
-                arrive(i, owner_.places_[i].first_ray + k, rays_[ray], hits_[ray]);
+                take(shadows_[i]);
             }
         }
     }
 
   private:
-    static std::uint32_t lamp_rays_of(const Place& place) { return std::max(1U, place.rays / kRaysPerLampRay); }
-
-    struct Point {
-        Vec3 position{0.0F}, normal{0.0F};
+    struct Shadow {
+        std::size_t place = 0;
+        Rgb light{0.0F};  // if nothing is in the way: share of the irradiance
+        float count = 0;  // of the place's rays to such sources
     };
+
+    void take(const Shadow& shadow) {
+        owner_.emitted_[shadow.place] += shadow.light;
+        const float light = luminance(shadow.light);
+        owner_.emitted_squares_[shadow.place] += light * light * shadow.count;
+    }
 
     // Points of a place, evenly by area, each with a ray into its hemisphere.
     void add_points(std::size_t i) {
-        points_.clear();
         if (owner_.places_[i].element == kNone) {
             add_group_points(owner_.places_[i]);
         } else {
             add_element_points(owner_.places_[i]);
         }
+    }
+
+    // Points of an element that lie below or within something else are not seen, and their darkness must not count.
+    // Where a ray does not get far, more are sent out.
+    void probe_close_points(std::size_t i, std::size_t begin, std::size_t end) {
+        const Node& node = (*owner_.hierarchy_)[owner_.places_[i].element];
+        const float reach = std::min(node.radius, owner_.hierarchy_->faces().patches.reach);
+        const Sequence4 sequence(hash64(node.stable_id, kProbeSeed));
+        for (std::size_t k = begin; k < end; ++k) {
+            if (hits_[k].missed() || hits_[k].distance > reach) {
+                continue;
+            }
+            for (std::uint32_t j = 0; j < kProbes; ++j) {
+                const auto index = static_cast<std::uint32_t>(k - begin) * kProbes + j;
+                const Vec3 direction = square_to_cosine_hemisphere(sequence(index, 0), sequence(index, 1));
+                probes_.push_back({points_[k].position, Frame(node.normal).to_world(direction), 0, reach});
+            }
+            probed_.push_back(k);
+        }
+    }
+
+    void find_covered_points() {
+        blocked_.resize(probes_.size());
+        tracer_.occluded(probes_, blocked_, RayMask::kLight, Coherence::kIncoherent);
+        for (std::size_t p = 0; p < probed_.size(); ++p) {
+            const auto first = blocked_.begin() + static_cast<std::ptrdiff_t>(p * kProbes);
+            covered_[probed_[p]] = std::all_of(first, first + kProbes, [](std::uint8_t b) { return b != 0; });
+        }
+    }
+
+    // Fills open_points_. Where all are covered, they are all that is seen.
+    void leave_out_covered_points(std::size_t i, std::size_t begin, std::size_t end) {
+        open_points_.clear();
+        for (std::size_t k = begin; k < end; ++k) {
+            if (!covered_[k]) {
+                open_points_.push_back(k);
+            }
+        }
+        if (open_points_.empty()) {
+            for (std::size_t k = begin; k < end; ++k) {
+                open_points_.push_back(k);
+            }
+        }
+        Place& place = owner_.places_[i];
+        place.open = static_cast<float>(open_points_.size()) / static_cast<float>(end - begin);
+        place.rays = static_cast<std::uint32_t>(open_points_.size());
     }
 
     void add_group_points(const Place& place) {
@@ -110,162 +166,102 @@ class GatheredLight::Block {
                                       : (*owner_.hierarchy_)[place.element].stable_id;
     }
 
-    // Shadow rays are dealt out to lamps and emitters by what they would bring to the middle of the place. Elements
-    // know sources close by from their links, better than from a few points.
-    void add_lamp_rays(std::size_t i) {
-        const std::vector<Lamp>& lamps = scene_.lamps;
-        const Place& place = owner_.places_[i];
-        const bool of_element = place.element != kNone;
-        const Point& middle = points_[points_.size() / 2];
-        float total = 0;
-        ends_.clear();
-        for (std::size_t lamp = 0; lamp < lamps.size(); ++lamp) {
-            if (!of_element || lamps[lamp].shape == LampShape::kDistant) {
-                total += about_from(owner_.hierarchy_->infinite_and_lamps()[lamp], lamps[lamp].shape, middle);
-            }
-            ends_.push_back(total);
+    // The place as far as its sources are concerned.
+    Neighbourhood neighbourhood(const Place& place) const {
+        if (place.element != kNone) {
+            const Node& node = (*owner_.hierarchy_)[place.element];
+            return {node.center, node.normal, node.radius, place.element};
         }
-        for (const NodeId emitter : owner_.emitters_) {
-            total += of_element ? 0 : about_from(emitter, LampShape::kRectangle, middle);
-            ends_.push_back(total);
+        const OffsetPoint& middle = points_[open_points_[open_points_.size() / 2]];
+        float radius = 0;
+        for (const std::size_t k : open_points_) {
+            radius = std::max(radius, length(points_[k].position - middle.position));
         }
-        if (ends_.empty() || (of_element && !(total > 0))) {
+        return {middle.position, middle.normal, 2 * radius, place.cluster};
+    }
+
+    void add_source_rays(std::size_t i) {
+        owner_.guide_->list(neighbourhood(owner_.places_[i]), sources_);
+        for (std::size_t kind = 0; kind < Sources::kKinds; ++kind) {
+            add_rays_to(i, kind);
+        }
+    }
+
+    // Shadow rays are dealt out to the sources of a kind by what they may bring.
+    void add_rays_to(std::size_t i, std::size_t kind) {
+        if (!sources_.has(kind)) {
             return;
         }
-        const auto sources = static_cast<float>(ends_.size());
-        const float even = of_element ? 0 : total > 0 ? kEvenShare : 1.0F;
-        const float unit = 1 / std::max(total, 1e-30F);
-        for (std::size_t j = 0; j < ends_.size(); ++j) {
-            ends_[j] = (1 - even) * unit * ends_[j] + even * static_cast<float>(j + 1) / sources;
-        }
+        const Place& place = owner_.places_[i];
+        const auto first = sources_.sums.begin() + static_cast<std::ptrdiff_t>(sources_.begin[kind]);
+        const auto last = sources_.sums.begin() + static_cast<std::ptrdiff_t>(sources_.begin[kind + 1]);
+        const float total = *(last - 1);
         const Sequence6 sequence(seed_of(place));
         const float shift = sequence(0, 4);
-        const std::uint32_t count = lamp_rays_of(place);
+        const std::uint32_t count = std::max(1U, place.element == kNone ? place.rays / kRaysPerShadowRay : place.rays);
         for (std::uint32_t k = 0; k < count; ++k) {
-            const float u = (static_cast<float>(k) + shift) / static_cast<float>(count);
-            const auto found = std::upper_bound(ends_.begin(), ends_.end() - 1, u);
-            const auto source = static_cast<std::size_t>(found - ends_.begin());
-            const float chance = ends_[source] - (source > 0 ? ends_[source - 1] : 0);
-            const Point& x = points_[k * points_.size() / count];
-            if (!(chance > 0)) {
-                continue;
-            }
+            const float u = total * (static_cast<float>(k) + shift) / static_cast<float>(count);
+            const auto found = std::upper_bound(first, last - 1, u);
+            const float chance = (*found - (found > first ? *(found - 1) : 0)) / total;
             const float share = 1 / (chance * static_cast<float>(count));
+            const OffsetPoint& x = points_[open_points_[scattered(k, count) * open_points_.size() / count]];
+            const NodeId source = sources_.nodes[static_cast<std::size_t>(found - sources_.sums.begin())];
             const Vec3 sample(sequence(k, 0), sequence(k, 5), sequence(k, 3));
-            if (source < lamps.size()) {
-                add_lamp_ray(i, x, lamps[source], sample, share);
-            } else {
-                add_emitter_ray(i, x, owner_.emitters_[source - lamps.size()], sample, share);
+            const SourceRay ray = ray_to_source(*owner_.hierarchy_, source, x, sample);
+            if (luminance(ray.light) > 0) {
+                shadow_rays_.push_back(ray.ray);
+                shadows_.push_back({i, share * ray.light, static_cast<float>(count)});
             }
         }
     }
 
-    // What a source brings, to some factor: luminance of the irradiance of a sphere of its size, if any is above the
-    // horizon.
-    float about_from(NodeId source, LampShape shape, const Point& x) const {
-        const Node& node = (*owner_.hierarchy_)[source];
-        const float light = luminance(node.emission);
-        if (shape == LampShape::kDistant) {
-            return light * std::max(0.0F, dot(x.normal, node.center));
+    // A permutation of 0..count-1, so that neighbouring shares of the sources go to points all over the place.
+    static std::uint32_t scattered(std::uint32_t k, std::uint32_t count) {
+        std::uint32_t step = static_cast<std::uint32_t>(0.618F * static_cast<float>(count)) | 1U;
+        while (std::gcd(step, count) != 1) {
+            step += 2;
         }
-        const Vec3 towards = node.center - x.position;
-        const float square = length_squared(towards), size = node.radius * node.radius;
-        const float distance = std::sqrt(square);
-        const float cosine = (dot(x.normal, towards) + node.radius) / (distance + node.radius);
-        const float factor = shape == LampShape::kPoint ? 1 / square : size / std::max(square, size);
-        return cosine > 0 ? light * factor * cosine : 0.0F;
+        return k * step % count;
     }
 
-    // The irradiance is exact; visibility is that of one point of the source, chosen from a few by what they bring. A
-    // point next to the source would else now and then bring a multiple of what all others do.
-    void add_lamp_ray(std::size_t i, const Point& x, const Lamp& lamp, Vec3 sample, float share) {
-        std::array<LampSample, kCandidates> candidates;
-        std::array<float, kCandidates> weights{};
-        for (int c = 0; c < kCandidates; ++c) {
-            const Vec2 uv = candidate(sample, c);
-            candidates[c] = sample_lamp(lamp, x.position, uv.x, uv.y);
-            weights[c] =
-                std::max(0.0F, dot(x.normal, candidates[c].direction)) * luminance(candidates[c].normal_irradiance);
-        }
-        const int chosen = choose(weights, sample.z);
-        if (weights[chosen] > 0) {
-            add_shadow_ray(i, {x.position, candidates[chosen].direction, 0, kAlmost * candidates[chosen].distance},
-                           share * lamp_irradiance(lamp, x.position, x.normal));
+    // What the open points' rays of a place have hit.
+    void arrive(std::size_t i) {
+        const Place& place = owner_.places_[i];
+        const float share = 1 / static_cast<float>(place.rays);
+        const bool sky_by_shadow_rays = sources_.has(kSkySources);
+        Rgb& emitted = owner_.emitted_[i];
+        std::size_t slot = place.first_ray;
+        for (const std::size_t k : open_points_) {
+            const Hit& hit = hits_[k];
+            if (hit.missed()) {
+                emitted += sky_by_shadow_rays ? Rgb(0.0F) : share * kPi * scene_.world;
+            } else {
+                owner_.hits_[slot] = place_at(rays_[k], hit, share, emitted);
+            }
+            ++slot;
         }
     }
 
-    void add_emitter_ray(std::size_t i, const Point& x, NodeId emitter, Vec3 sample, float share) {
-        const Node& node = (*owner_.hierarchy_)[emitter];
-        const auto& corner = node.corner;
-        std::array<Vec3, kCandidates> towards;
-        std::array<float, kCandidates> weights{};
-        for (int c = 0; c < kCandidates; ++c) {
-            const Vec2 uv = candidate(sample, c);
-            const Vec3 w = square_to_triangle(uv.x, uv.y);
-            towards[c] = w.x * corner[0] + w.y * corner[1] + w.z * corner[2] - x.position;
-            const float square = std::max(length_squared(towards[c]), 1e-30F);
-            weights[c] = std::max(0.0F, dot(towards[c], x.normal)) * std::max(0.0F, -dot(towards[c], node.normal)) /
-                         (square * square);
-        }
-        const int chosen = choose(weights, sample.z);
-        if (weights[chosen] > 0) {
-            add_shadow_ray(i, {x.position, towards[chosen], 0, kAlmost}, share * irradiance_from(emitter, x));
-        }
-    }
-
-    // One in each quarter of the unit square.
-    static Vec2 candidate(Vec3 sample, int c) {
-        return {0.5F * (sample.x + static_cast<float>(c % 2)), 0.5F * (sample.y + static_cast<float>(c / 2))};
-    }
-
-    static int choose(const std::array<float, kCandidates>& weights, float u) {
-        float target = u * (weights[0] + weights[1] + weights[2] + weights[3]);
-        int chosen = 0;
-        while (chosen < kCandidates - 1 && !(target < weights[chosen])) {
-            target -= weights[chosen++];
-        }
-        return chosen;
-    }
-
-    void add_shadow_ray(std::size_t i, const Ray& ray, Rgb light) {
-        shadow_rays_.push_back(ray);
-        shadow_light_.push_back(light);
-        shadow_places_.push_back(i);
-    }
-
-    Rgb irradiance_from(NodeId emitter, const Point& x) const {
-        const Node& node = (*owner_.hierarchy_)[emitter];
-        const auto& c = node.corner;
-        if (!(dot(x.position - c[0], node.normal) > 0)) {
-            return Rgb(0.0F);
-        }
-        return node.emission * point_to_triangle(x.position, x.normal, c[0], c[1], c[2]);
-    }
-
-    void arrive(std::size_t place, std::size_t slot, const Ray& ray, const Hit& hit) {
-        const float share = 1 / static_cast<float>(owner_.places_[place].rays);
-        Rgb& arriving = owner_.constant_[place];
-        const bool of_element = owner_.places_[place].element != kNone;
-        if (hit.missed()) {
-            arriving += share * kPi * scene_.world;
-            return;
-        }
+    // kNone for a side that no light reaches. Adds what is emitted there, if no shadow rays look for it.
+    std::uint32_t place_at(const Ray& ray, const Hit& hit, float share, Rgb& emitted) const {
         const bool back = dot(world_area_vector(scene_, hit.instance, hit.triangle), ray.direction) > 0;
         const NodeId element = elements_.of(hit.instance, hit.triangle, back);
         if (element != kNone) {
-            const Vec3 y = ray.origin + hit.distance * ray.direction;
-            owner_.hits_[slot] = lighting_.leaf_element_at(element, y) | kElementBit;
-            return;
+            const NodeId leaf = lighting_.leaf_element_at(element, ray.origin + hit.distance * ray.direction);
+            if (owner_.guide_->emitters().empty()) {
+                emitted += share * (*owner_.hierarchy_)[leaf].emission;
+            }
+            return owner_.place_of_element_[leaf];
         }
-        const std::uint32_t other = owner_.groups_of(hit.instance).of(hit.triangle, back);
-        if (other == kNone || owner_.first_[hit.instance] == kNone) {
-            return;  // a side that no light reaches
+        const std::uint32_t group = owner_.groups_of(hit.instance).of(hit.triangle, back);
+        if (group == kNone || owner_.first_[hit.instance] == kNone) {
+            return kNone;
         }
-        owner_.hits_[slot] = owner_.first_[hit.instance] + other;
         const FaceColors& colors = owner_.colors_of(hit.instance);
-        if (!colors.emission.empty() && !of_element) {
-            owner_.glow_[place] += share * kPi * colors.emission[hit.triangle];
+        if (!colors.emission.empty()) {
+            emitted += share * kPi * colors.emission[hit.triangle];
         }
+        return owner_.place_of_group_[owner_.first_[hit.instance] + group];
     }
 
     GatheredLight& owner_;
@@ -273,13 +269,16 @@ class GatheredLight::Block {
     const Lighting& lighting_;
     const RayTracer& tracer_;
     const Scene& scene_;
-    std::vector<Point> points_;
-    std::vector<float> ends_;
-    std::vector<Ray> rays_, shadow_rays_;
+    std::vector<std::size_t> first_point_;  // of every place in points_, and the end
+    std::vector<OffsetPoint> points_;
+    std::vector<Ray> rays_, probes_, shadow_rays_;  // rays_: one of every point
     std::vector<Hit> hits_;
-    std::vector<std::uint8_t> blocked_;
-    std::vector<Rgb> shadow_light_;
-    std::vector<std::size_t> shadow_places_;
+    std::vector<std::size_t> probed_;  // points, kProbes rays each
+    std::vector<std::uint8_t> covered_, blocked_;
+    std::vector<std::size_t> open_points_;  // of one place
+    std::vector<float> ends_;
+    Sources sources_;
+    std::vector<Shadow> shadows_;  // per shadow ray
 };
 
 void GatheredLight::trace(std::size_t begin, std::size_t end, const ElementTable& elements, const Lighting& lighting,

@@ -4,10 +4,13 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/vec.h"
 #include "radiosity/instance_parts.h"
+#include "radiosity/opinions.h"
+#include "radiosity/source_guide.h"
 
 namespace gg {
 
@@ -17,26 +20,20 @@ class RayTracer;
 
 class GatheredLight {
   public:
-    // Mean irradiance of a place, W/m2; the number of its rays, and the variance of the luminance that one brings.
-    struct Estimate {
-        Rgb irradiance{0.0F};
-        float variance = 0;
-        std::uint32_t rays = 0;
-    };
-
     GatheredLight() = default;
 
     // Traces all rays: about `rays` from a group or an element of the size of a detail, and shadow rays to
-    // lamps. Groups begin with what their cluster's links tell. The hierarchy must outlive this, unchanged.
-    GatheredLight(const Hierarchy& hierarchy, const ElementTable& elements, const Lighting& lighting,
-                  const RayTracer& tracer, int rays, const Control& control);
+    // lamps. Places begin with what links, as `lighting` has gathered them, tell; emitted_by_links [W/m2], per node: so
+    // much of it comes from lamps, sky and glowing surfaces. The hierarchy must outlive this, unchanged;
+    // the guide until finish().
+    GatheredLight(const Hierarchy& hierarchy, const ElementTable& elements, const SourceGuide& guide,
+                  const Lighting& lighting, std::span<const Rgb> emitted_by_links, const RayTracer& tracer, int rays,
+                  float dark, const Control& control);
 
-    // One Jacobi step: what the hit elements, in `lighting`, and the hit groups have now.
-    void gather(const Lighting& lighting, const Control& control);
-    // Tells `lighting` what the leaf clusters get and reflect by the sum of their faces.
-    void tell(Lighting& lighting, const Control& control) const;
-    // Corrects the elements of `lighting` by what their rays brought when light was gathered last.
-    void correct(Lighting& lighting, const Control& control) const;
+    // Lets light come to rest between the places. Returns the number of iterations.
+    int settle(int most, double converged, const Control& control);
+    // Tells `lighting` what leaf clusters and leaf elements have.
+    void tell(Lighting& lighting, const Control& control);
     // Frees what only the functions above need.
     void finish();
 
@@ -51,9 +48,13 @@ class GatheredLight {
     // A group with at least one face in a cluster, or a leaf element.
     struct Place {
         std::uint32_t instance = 0, group = 0;
+        NodeId cluster = kNone;  // of a group: a leaf cluster that has faces of it
         NodeId element = kNone;
-        std::uint32_t rays = 0;
+        std::uint32_t rays = 0;  // from points that are not covered
         std::size_t first_ray = 0;
+        float open = 1;  // share of the points that are not covered
+        float area = 0;  // m2
+        Rgb reflectance{0.0F};
     };
     // The faces of a group in one leaf cluster.
     struct Share {
@@ -63,8 +64,6 @@ class GatheredLight {
         Rgb reflecting{0.0F};     // area times reflectance
     };
     class Block;
-    static constexpr std::uint32_t kElementBit = 0x80000000U;  // of hits_
-
     [[nodiscard]] const FaceGroups& groups_of(std::uint32_t instance) const {
         const Scene& scene = hierarchy_->scene();
         return hierarchy_->faces().meshes[scene.instances[instance].mesh].groups;
@@ -72,34 +71,36 @@ class GatheredLight {
     [[nodiscard]] const FaceColors& colors_of(std::uint32_t instance) const {
         return hierarchy_->faces().colors[hierarchy_->faces().instance_colors[instance]];
     }
-    // What the rays of a place bring from an element: not what shadow rays bring, or links.
-    [[nodiscard]] Rgb sent_by(NodeId element, bool to_element, const Lighting& lighting) const;
-    void find_emitters();
     void find_groups(const Lighting& lighting, int rays, const Control& control);
     void list_groups(std::uint32_t instance, const InstanceParts& parts, const Lighting& lighting, int rays,
                      std::vector<Place>& out);
-    void list_elements(int rays);
+    void list_elements(const Lighting& lighting, int rays, float dark);
     [[nodiscard]] float detail() const;
     void list_shares(const Control& control);
     static void merge_shares(std::vector<Share>& list);
-    [[nodiscard]] Estimate from_surfaces(std::size_t place, const Lighting& lighting) const;
+    [[nodiscard]] Rgb reflected_to(std::size_t place, float& variance) const;
+    void find_spread();
+    double iterate(const Control& control);
+    void blend_emitted(std::span<const Rgb> emitted_by_links, const Control& control);
     void trace(std::size_t begin, std::size_t end, const ElementTable& elements, const Lighting& lighting,
                const RayTracer& tracer);
 
     const Hierarchy* hierarchy_ = nullptr;
     std::vector<std::uint32_t> first_;  // instance -> its first group in irradiance_, or kNone
     std::vector<Rgb> irradiance_;       // per group
-    std::vector<Rgb> reflectance_;      // per group, mean
-    std::vector<NodeId> emitters_;      // elements of whole triangles; none when there are too many
-    std::vector<Place> places_;         // groups, then elements
+    const SourceGuide* guide_ = nullptr;
+    std::vector<Place> places_;  // groups, then elements
     std::size_t first_element_ = 0;
-    std::vector<NodeId> elements_;     // of places_, from first_element_ on
-    std::vector<Rgb> direct_;          // per element of elements_: what links bring of lamps and glowing surfaces
-    std::vector<Estimate> estimates_;  // per element of elements_: of all other light
-    std::vector<Rgb> constant_;        // per place: from lamps and sky
-    std::vector<Rgb> glow_;            // per place: from glowing faces of clusters
-    // Per ray: what it hit, a group as in irradiance_ or, with kElementBit, a leaf element; or kNone.
-    std::vector<std::uint32_t> hits_;
+    std::vector<std::uint32_t> place_of_group_;    // as in irradiance_
+    std::vector<std::uint32_t> place_of_element_;  // per node
+    std::vector<Rgb> emitted_;                     // per place: irradiance from lamps, sky, glowing surfaces
+    std::vector<Rgb> light_;                       // per place: all irradiance
+    std::vector<float> emitted_squares_;           // per place: mean square of what a shadow ray brings
+    std::vector<Opinions> opinions_;               // per place, of all light of groups, and of what elements reflect
+    ElementOpinions elements_;
+    Trust of_emitted_, of_elements_, of_faces_;
+    std::vector<Rgb> radiosity_;                   // per place, without what it emits
+    std::vector<std::uint32_t> hits_;              // per ray: the place that it hit, or kNone
     std::vector<NodeId> leaves_;          // leaf clusters
     std::vector<std::size_t> share_end_;  // of each of them in shares_
     std::vector<Share> shares_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/parallel.h"
 #include "gridgather.h"
@@ -14,6 +15,12 @@ namespace gg {
 namespace {
 
 constexpr float kLeastWeight = 1e-3F;
+
+// Of the whole element that a piece is part of.
+float area_share(const Piece& piece) {
+    const Vec2 e1 = piece.places[1] - piece.places[0], e2 = piece.places[2] - piece.places[0];
+    return std::abs(e1.x * e2.y - e1.y * e2.x);
+}
 
 class VertexBuilder {
   public:
@@ -80,11 +87,12 @@ class VertexBuilder {
     }
 
     void add_piece(const Piece& piece, const Node& node, const std::array<Rgb, 3>& corners) {
-        // What is covered is not seen: it must not darken the edge of what is.
-        const float weight = std::max(node.weight, kLeastWeight);
         std::array<Piece, 4> parts;
         const int count = split_at_t_vertices(out_, piece, parts);
         if (count == 1) {
+            // By area: the sum over all is then kept, and a speck of light does not spread over a large neighbour. What
+            // is covered is not seen: it must not darken the edge of what is.
+            const float weight = node.area * area_share(piece) * std::max(node.weight, kLeastWeight);
             for (int k = 0; k < 3; ++k) {
                 const Vec2 w = piece.places[k];
                 const Rgb value = (1 - w.x - w.y) * corners[0] + w.x * corners[1] + w.y * corners[2];
@@ -107,9 +115,10 @@ class VertexBuilder {
             for (const bool back : {false, true}) {
                 if (has_side(sides, back)) {
                     const Rgb irradiance = solution_.face_light.irradiance(instance_, triangle, back);
+                    const float area = length(world_area_vector(scene, instance_, triangle));
                     for (const std::uint32_t vertex : mesh_.shading_vertices[triangle]) {
-                        sums_[back][vertex] += irradiance;
-                        weights_[back][vertex] += 1;
+                        sums_[back][vertex] += area * irradiance;
+                        weights_[back][vertex] += area;
                     }
                 }
             }

@@ -63,7 +63,6 @@ void Lighting::grow(const Control& control) {
             slot_[id] = static_cast<std::uint32_t>(corners_.size());
             corners_.push_back({irradiance_[id], irradiance_[id], irradiance_[id]});
             near_.emplace_back(0.0F);
-            correction_.emplace_back(0.0F);
         }
     }
     facing_.resize(received_.size());
@@ -230,22 +229,31 @@ void Lighting::clear(const Control& control) {
     reflected_power_ = 0;
 }
 
-void Lighting::darken(NodeId sender) {
-    radiosity_[sender] = Rgb(0.0F);
-    const Node& node = hierarchy_[sender];
-    for (NodeId child = node.first_child; child < node.first_child + node.child_count; ++child) {
-        darken(child);
+void Lighting::set_irradiance(NodeId leaf_element, Rgb mean) {
+    std::array<Rgb, 3>& corners = corners_[slot_[leaf_element]];
+    const Rgb before = (corners[0] + corners[1] + corners[2]) / 3.0F;
+    for (Rgb& corner : corners) {
+        for (int c = 0; c < 3; ++c) {
+            corner[c] = before[c] > 1e-6F ? std::max(corner[c], 0.0F) * (mean[c] / before[c]) : mean[c];
+        }
     }
+    irradiance_[leaf_element] = mean;
 }
 
-int Lighting::settle(int most, double converged, const Control& control, const std::function<void()>& before_each) {
+void Lighting::pull(const Control& control) {
+    const auto generations = hierarchy_.generations();
+    for (std::size_t g = generations.size() - 1; g-- > 0;) {
+        parallel_for(generations[g + 1] - generations[g], kBlock, control,
+                     [&](std::size_t i) { pull(static_cast<NodeId>(generations[g] + i)); });
+    }
+    reflected_power_ = total_reflected_power();
+}
+
+int Lighting::settle(int most, double converged, const Control& control) {
     constexpr int kPatience = 10;  // iterations until steps must shrink
     constexpr float kDimming = 0.9F;
     double before = kInfinity;
     for (int count = 1; count <= most; ++count) {
-        if (before_each) {
-            before_each();
-        }
         const double step = iterate(control);
         if (step <= converged) {
             return count;
@@ -276,12 +284,8 @@ double Lighting::iterate(const Control& control) {
         parallel_for(generations[g + 1] - generations[g], kBlock, control,
                      [&](std::size_t i) { push(static_cast<NodeId>(generations[g] + i)); });
     }
-    for (std::size_t g = generations.size() - 1; g-- > 0;) {
-        parallel_for(generations[g + 1] - generations[g], kBlock, control,
-                     [&](std::size_t i) { pull(static_cast<NodeId>(generations[g] + i)); });
-    }
     const double before = reflected_power_;
-    reflected_power_ = total_reflected_power();
+    pull(control);
     return std::abs(reflected_power_ - before) / std::max(reflected_power_, 1e-300);
 }
 

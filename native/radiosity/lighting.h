@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -33,9 +32,6 @@ class Lighting {
     // caller's.
     void set_links(Links& links, const Control& control);
 
-    // A lamp or a sky cell, with all its parts, sends nothing in the next iteration.
-    void darken(NodeId sender);
-
     // Back to what surfaces emit by themselves. Light that coarse links let through would else die out only after all
     // other light has come to rest.
     void clear(const Control& control);
@@ -46,16 +42,17 @@ class Lighting {
 
     // Iterates until a step is at most `converged`, at most `most` times; returns how often. Sampled links may send on
     // a little more than they get. Where steps do not shrink, all light between surfaces is dimmed until they do.
-    // before_each: is called before every iteration.
-    int settle(int most, double converged, const Control& control, const std::function<void()>& before_each = {});
+    int settle(int most, double converged, const Control& control);
 
     // From now on a leaf cluster has this light, whatever its links tell: power that arrives at its faces and that they
     // reflect [W], and how it leaves [W/sr].
     void set_faces_of(NodeId leaf_cluster, Rgb arriving, Rgb reflected, const DirectionalForm& intensity);
 
-    // Added to the irradiance of a leaf element from the next iteration on, W/m2; 0 at first.
-    void set_correction(NodeId leaf_element, Rgb irradiance) { correction_[slot_[leaf_element]] = irradiance; }
-    [[nodiscard]] Rgb correction(NodeId leaf_element) const { return correction_[slot_[leaf_element]]; }
+    // The mean irradiance of a leaf element, W/m2; its course over the element stays what links made it.
+    void set_irradiance(NodeId leaf_element, Rgb mean);
+
+    // Up the hierarchy, after leaves were set.
+    void pull(const Control& control);
 
     // Scales all light that links bring from surface to surface; 1 at first.
     void set_gain(float gain) { gain_ = gain; }
@@ -64,6 +61,7 @@ class Lighting {
     // Means over the node's faces, W/m2. Lamps and sky have their emission as radiosity.
     [[nodiscard]] Rgb radiosity(NodeId id) const { return radiosity_[id]; }
     [[nodiscard]] Rgb irradiance(NodeId id) const { return irradiance_[id]; }
+    [[nodiscard]] const std::vector<Rgb>& irradiances() const { return irradiance_; }  // per node
     // Standard deviation of the luminance of radiosity over a node's faces, W/m2, as far as the hierarchy tells it.
     [[nodiscard]] float spread(NodeId id) const { return spread_[id]; }
     // Irradiance at an element's corners, linear in between, >= 0.
@@ -107,7 +105,6 @@ class Lighting {
     std::vector<std::uint32_t> slot_;          // cluster -> received_, intensity_, facing_; element -> corners_, near_
     std::vector<std::array<Rgb, 3>> corners_;  // irradiance at an element's corners; with patches, at an exposure of 1
     std::vector<Rgb> near_;                    // what arrives from near at an element with patches, at a shelter of 1
-    std::vector<Rgb> correction_;              // of a leaf element, as near_
     std::vector<Received> received_;
     std::vector<DirectionalForm> intensity_;
     std::vector<FacingArea> facing_;        // of clusters that receive

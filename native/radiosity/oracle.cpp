@@ -30,23 +30,21 @@ constexpr float kHotSpots = 3;         // how much brighter than its mean a clus
 
 // How many times smaller than what counts in full, >= 1.
 float small_size(float radius, const RefineSettings& settings) {
-    return std::max(1.0F, kDetail * settings.white.extent / std::max(2 * radius, 1e-12F));
+    return 1 / std::clamp(size_in_details(radius, settings), 1e-6F, 1.0F);
 }
 
-// Error that may be made in the radiosity of a receiver [W/m2]: an equal step in the square root of irradiance, which
-// is about an equal step in display code, so that dim rooms are solved as well as bright ones.
-float allowed_error(const Node& receiver, float irradiance, const RefineSettings& settings) {  // W/m2
+}  // namespace
+
+float size_in_details(float radius, const RefineSettings& settings) {
+    return 2 * radius / std::max(kDetail * settings.white.extent, 1e-12F);
+}
+
+float allowed_error(const Node& receiver, float irradiance, const RefineSettings& settings) {
     const float white = settings.white.irradiance;
     const float small = small_size(receiver.radius, settings);
     return settings.tolerance * std::sqrt(white * std::max(irradiance, kDarkest * white)) * small * small;
 }
 
-// Faces of clusters look around themselves in the end, and elements correct what other surfaces send.
-float error_for_faces(const Node& receiver, const Node& sender) {
-    return receiver.kind == NodeKind::kCluster && is_surface(sender) ? kClusterError : 1.0F;
-}
-
-// Its square root for the same reason: a dark surface is compared with itself.
 float seen_reflectance(const Node& node) {
     return std::sqrt(std::max(luminance(node.reflectance), kLeastReflectance));
 }
@@ -65,6 +63,13 @@ bool can_split(const Node& node, const RefineSettings& settings) {
             return false;
     }
     return false;
+}
+
+namespace {
+
+// Faces of clusters look around themselves in the end, and elements correct what other surfaces send.
+float error_for_faces(const Node& receiver, const Node& sender) {
+    return receiver.kind == NodeKind::kCluster && is_surface(sender) ? kClusterError : 1.0F;
 }
 
 // Radiosity of the sender as its brightest part could have it.

@@ -43,11 +43,6 @@ void Lighting::push(NodeId id) {
             corner += irradiance;
         }
     }
-    if (node.child_count == 0) {
-        for (Rgb& corner : corners) {
-            corner += correction_[slot_[id]];
-        }
-    }
     irradiance_[id] = glm::max((corners[0] + corners[1] + corners[2]) / 3.0F, Rgb(0.0F));
 }
 

@@ -5,8 +5,11 @@
 #include "core/control.h"
 #include "core/statistics.h"
 #include "radiosity/interpolation.h"
+#include "radiosity/mesh_balance.h"
 #include "radiosity/refine.h"
+#include "radiosity/shadow_edges.h"
 #include "radiosity/solution_data.h"
+#include "radiosity/source_guide.h"
 
 namespace gg {
 
@@ -14,9 +17,10 @@ namespace {
 
 // Multigridding: coarse links carry the light around once before finer ones are judged by it.
 constexpr float kCoarseness[] = {16, 4, 1};
+constexpr float kLinkError = 1.5F, kEdgeError = 0.5F;  // links may be wrong by more than what is asked for: faces look around in the end
+constexpr float kDark = 1e-3F;  // irradiance, as a share of the white
 constexpr int kSweepsBetween = 5;
 constexpr int kSweepsAtEnd = 200;  // enough for a mean reflectance of 0.97
-constexpr int kCorrections = 1;
 constexpr double kConverged = 1e-3;        // change of the reflected power in one sweep, share of it
 constexpr double kNearlyConverged = 1e-2;  // the same, before faces look around
 
@@ -88,30 +92,20 @@ int face_rays(float quality) {
     return static_cast<int>(std::clamp(0.16F / quality, kLeast, kMost));
 }
 
-// Replaces what links tell of clusters by what their faces see, and lets light come to rest once more.
-// Returns the number of sweeps.
-int light_faces(Solution& solution, const RayTracer& tracer, int rays, const Control& control) {
+// Leaves the solution to what faces see by rays of their own. Returns the number of iterations.
+int look_around(Solution& solution, const SourceGuide& guide, std::span<const Rgb> emitted_by_links, const RayTracer& tracer, int rays,
+                const Control& control) {
     if (!solution.hierarchy.has_geometry()) {
         return 0;
     }
-    int sweeps = 0;
     solution.elements = find_elements(solution.hierarchy);
-    GatheredLight& faces = solution.face_light;
-    faces = GatheredLight(solution.hierarchy, solution.elements, solution.lighting, tracer, rays, control);
-    solution.lighting.set_gain(1);  // without the clusters' own links, nothing need be dimmed
-    for (int round = 0; round <= kCorrections; ++round) {
-        sweeps += solution.lighting.settle(kSweepsAtEnd, kConverged, control, [&] {
-            faces.gather(solution.lighting, control);
-            faces.tell(solution.lighting, control);
-        });
-        if (round < kCorrections) {
-            faces.gather(solution.lighting, control);
-            faces.correct(solution.lighting, control);
-        }
-    }
-    faces.gather(solution.lighting, control);
-    faces.finish();
-    return sweeps;
+    GatheredLight& light = solution.face_light;
+    light = GatheredLight(solution.hierarchy, solution.elements, guide, solution.lighting,
+                          emitted_by_links, tracer, rays, kDark * solution.white.irradiance, control);
+    const int iterations = light.settle(kSweepsAtEnd, kConverged, control);
+    light.tell(solution.lighting, control);
+    light.finish();
+    return iterations;
 }
 
 }  // namespace
@@ -126,25 +120,35 @@ std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& c
     }
     solution->links = initial_links(solution->hierarchy);
     int sweeps = 0;
+    std::vector<Rgb> emitted_by_links;
+    SourceGuide guide;
     for (const float coarseness : kCoarseness) {
         {
             const StageTimer timer(statistics, "refine");
             solution->white = reference_white(solution->hierarchy, solution->lighting);
-            const RefineSettings refine_settings{settings.quality * coarseness, solution->white};
+            const RefineSettings refine_settings{kLinkError * settings.quality * coarseness, solution->white};
             refine(solution->hierarchy, solution->lighting, tracer, solution->links, refine_settings, control,
                    statistics);
+            if (coarseness <= 1) {
+                guide = SourceGuide(solution->hierarchy, solution->links.all);
+                split_at_shadow_edges(solution->hierarchy, solution->lighting, guide, tracer,
+                                      {kEdgeError * settings.quality, solution->white}, control);
+                balance_elements(solution->hierarchy, solution->lighting, control);
+            }
         }
         const StageTimer timer(statistics, "gather");
         solution->lighting.set_links(solution->links, control);
         if (coarseness <= 1) {
             solution->lighting.clear(control);
+            solution->lighting.iterate(control);
+            emitted_by_links = solution->lighting.irradiances();
         }
         const int most = coarseness > 1 ? kSweepsBetween : kSweepsAtEnd;
         sweeps += solution->lighting.settle(most, kNearlyConverged, control);
     }
     {
         const StageTimer timer(statistics, "faces");
-        sweeps += light_faces(*solution, tracer, face_rays(settings.quality), control);
+        sweeps += look_around(*solution, guide, emitted_by_links, tracer, face_rays(settings.quality), control);
         statistics.set_count("gain of links", solution->lighting.gain());
         statistics.set_count("face groups", static_cast<double>(solution->face_light.count()));
     }

@@ -1,0 +1,98 @@
+#include "radiosity/mesh_balance.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/parallel.h"
+#include "radiosity/instance_parts.h"
+#include "radiosity/t_vertices.h"
+
+namespace gg {
+
+namespace {
+
+// The elements of one instance.
+class Balancer {
+  public:
+    Balancer(const Hierarchy& hierarchy, const Mesh& mesh) : hierarchy_(hierarchy), mesh_(mesh) {}
+
+    void find_midpoints(const std::vector<NodeId>& roots) {
+        for (const NodeId root : roots) {
+            divide(root, mesh_.shading_vertices[hierarchy_[root].source], [](NodeId, const Corners&) {});
+        }
+    }
+
+    // Leaves with an edge that is divided twice.
+    void list_coarse(const std::vector<NodeId>& roots, std::vector<NodeId>& out) {
+        for (const NodeId root : roots) {
+            divide(root, mesh_.shading_vertices[hierarchy_[root].source], [&](NodeId leaf, const Corners& corners) {
+                for (int k = 0; k < 3; ++k) {
+                    if (is_divided_twice(corners[k], corners[(k + 1) % 3])) {
+                        out.push_back(leaf);
+                        return;
+                    }
+                }
+            });
+        }
+    }
+
+  private:
+    template <typename Body>
+    void divide(NodeId id, const Corners& corners, const Body& body) {
+        const Node& node = hierarchy_[id];
+        if (node.child_count == 0) {
+            body(id, corners);
+            return;
+        }
+        const Corners opposite = opposite_vertices(corners);
+        for (int quarter = 0; quarter < 4; ++quarter) {
+            divide(node.first_child + quarter, quarter_corners(corners, opposite, quarter), body);
+        }
+    }
+
+    Corners opposite_vertices(const Corners& corners) {
+        Corners opposite;
+        for (int k = 0; k < 3; ++k) {
+            const auto next = static_cast<std::uint32_t>(mesh_.normals.size() + vertices_.midpoints.size());
+            opposite[k] = vertices_.midpoints.try_emplace(edge_key(corners[(k + 1) % 3], corners[(k + 2) % 3]), next)
+                              .first->second;
+        }
+        return opposite;
+    }
+
+    [[nodiscard]] bool is_divided_twice(std::uint32_t a, std::uint32_t b) const {
+        const auto middle = vertices_.midpoints.find(edge_key(a, b));
+        return middle != vertices_.midpoints.end() && (vertices_.midpoints.contains(edge_key(a, middle->second)) ||
+                                                       vertices_.midpoints.contains(edge_key(middle->second, b)));
+    }
+
+    const Hierarchy& hierarchy_;
+    const Mesh& mesh_;
+    InstanceVertices vertices_;
+};
+
+}  // namespace
+
+void balance_elements(Hierarchy& hierarchy, Lighting& lighting, const Control& control) {
+    constexpr int kMostRounds = 16;
+    for (int round = 0; round < kMostRounds; ++round) {
+        const auto parts = parts_of_instances(hierarchy);
+        std::vector<NodeId> coarse = parallel_collect<NodeId>(
+            parts.size(), 1, control, [&](std::size_t begin, std::size_t end, std::vector<NodeId>& out) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    const Scene& scene = hierarchy.scene();
+                    Balancer balancer(hierarchy, scene.meshes[scene.instances[i].mesh]);
+                    balancer.find_midpoints(parts[i].element_roots);
+                    balancer.list_coarse(parts[i].element_roots, out);
+                }
+            });
+        if (coarse.empty()) {
+            return;
+        }
+        std::sort(coarse.begin(), coarse.end());
+        hierarchy.open(coarse, control);
+        lighting.grow(control);
+    }
+}
+
+}  // namespace gg
