@@ -82,7 +82,7 @@ class GatheredLight::Block {
     // Where a ray does not get far, more are sent out.
     void probe_close_points(std::size_t i, std::size_t begin, std::size_t end) {
         const Node& node = (*owner_.hierarchy_)[owner_.places_[i].element];
-        const float reach = std::min(node.radius, owner_.hierarchy_->faces().patches.reach);
+        const float reach = std::min(2 * node.radius, owner_.hierarchy_->faces().patches.reach);
         const Sequence4 sequence(hash64(node.stable_id, kProbeSeed));
         for (std::size_t k = begin; k < end; ++k) {
             if (hits_[k].missed() || hits_[k].distance > reach) {
