@@ -15,7 +15,7 @@ constexpr float kCovered = 0.1F;  // exposure
 constexpr float kLeastShare = 0.25F, kMostShare = 64;
 constexpr float kLeastRays = 2;
 constexpr float kLeastElementRays = 8, kMostElementRays = 512;
-constexpr float kDetail = 1.0F / 256;  // size of a place, as a share of the scene's, from which all rays start
+constexpr float kDetail = 1.0F / 200;  // size of a place, as a share of the scene's, from which all rays start
 
 }  // namespace
 

@@ -37,9 +37,7 @@ class GatheredLight::Block {
         tracer_.closest_hits(rays_, hits_, RayMask::kLight, Coherence::kIncoherent);
         covered_.assign(points_.size(), 0);
         for (std::size_t i = begin; i < end; ++i) {
-            if (owner_.places_[i].element != kNone) {
-                probe_close_points(i, first_point_[i - begin], first_point_[i - begin + 1]);
-            }
+            probe_close_points(i, first_point_[i - begin], first_point_[i - begin + 1]);
         }
         find_covered_points();
         for (std::size_t i = begin; i < end; ++i) {
@@ -51,7 +49,7 @@ class GatheredLight::Block {
         tracer_.occluded(shadow_rays_, blocked_, RayMask::kLight, Coherence::kIncoherent);
         for (std::size_t i = 0; i < shadow_rays_.size(); ++i) {
             if (!blocked_[i]) {
-                take(shadows_[i]);
+                owner_.emitted_[shadows_[i].place] += shadows_[i].light;
             }
         }
     }
@@ -60,14 +58,7 @@ class GatheredLight::Block {
     struct Shadow {
         std::size_t place = 0;
         Rgb light{0.0F};  // if nothing is in the way: share of the irradiance
-        float count = 0;  // of the place's rays to such sources
     };
-
-    void take(const Shadow& shadow) {
-        owner_.emitted_[shadow.place] += shadow.light;
-        const float light = luminance(shadow.light);
-        owner_.emitted_squares_[shadow.place] += light * light * shadow.count;
-    }
 
     // Points of a place, evenly by area, each with a ray into its hemisphere.
     void add_points(std::size_t i) {
@@ -78,12 +69,13 @@ class GatheredLight::Block {
         }
     }
 
-    // Points of an element that lie below or within something else are not seen, and their darkness must not count.
+    // Points that lie below or within something else are not seen, and their darkness must not count.
     // Where a ray does not get far, more are sent out.
     void probe_close_points(std::size_t i, std::size_t begin, std::size_t end) {
-        const Node& node = (*owner_.hierarchy_)[owner_.places_[i].element];
-        const float reach = std::min(2 * node.radius, owner_.hierarchy_->faces().patches.reach);
-        const Sequence4 sequence(hash64(node.stable_id, kProbeSeed));
+        const Place& place = owner_.places_[i];
+        const float radius = place.element != kNone ? (*owner_.hierarchy_)[place.element].radius : std::sqrt(place.area);
+        const float reach = std::min(2 * radius, 0.5F * owner_.hierarchy_->faces().patches.reach);
+        const Sequence4 sequence(hash64(seed_of(place), kProbeSeed));
         for (std::size_t k = begin; k < end; ++k) {
             if (hits_[k].missed() || hits_[k].distance > reach) {
                 continue;
@@ -91,7 +83,7 @@ class GatheredLight::Block {
             for (std::uint32_t j = 0; j < kProbes; ++j) {
                 const auto index = static_cast<std::uint32_t>(k - begin) * kProbes + j;
                 const Vec3 direction = square_to_cosine_hemisphere(sequence(index, 0), sequence(index, 1));
-                probes_.push_back({points_[k].position, Frame(node.normal).to_world(direction), 0, reach});
+                probes_.push_back({points_[k].position, Frame(points_[k].normal).to_world(direction), 0, reach});
             }
             probed_.push_back(k);
         }
@@ -210,7 +202,7 @@ class GatheredLight::Block {
             const SourceRay ray = ray_to_source(*owner_.hierarchy_, source, x, sample);
             if (luminance(ray.light) > 0) {
                 shadow_rays_.push_back(ray.ray);
-                shadows_.push_back({i, share * ray.light, static_cast<float>(count)});
+                shadows_.push_back({i, share * ray.light});
             }
         }
     }

@@ -14,8 +14,7 @@ namespace {
 
 constexpr std::size_t kPlacesAtOnce = 32;
 constexpr float kLeastOpen = 0.2F;  // of an element: what few points see is not trusted for more
-// Trust::whole and Trust::part.
-constexpr float kWhole = 1, kEmittedPart = 0.5F, kReflectedPart = 0.5F, kFacesPart = 2;
+constexpr Trust kReflected{1, 0.5F, 1.3F};  // fixed: where few rays miss what is bright, they agree, and are wrong
 
 }  // namespace
 
@@ -30,94 +29,46 @@ GatheredLight::GatheredLight(const Hierarchy& hierarchy, const ElementTable& ele
     }
     list_shares(control);
     emitted_.assign(places_.size(), Rgb(0.0F));
-    emitted_squares_.assign(places_.size(), 0.0F);
     light_.assign(places_.size(), Rgb(0.0F));
     hits_.assign(places_.empty() ? 0 : places_.back().first_ray + places_.back().rays, kNone);
     parallel_blocks(places_.size(), kPlacesAtOnce, control,
                     [&](std::size_t begin, std::size_t end) { trace(begin, end, elements, lighting, tracer); });
-    blend_emitted(emitted_by_links, control);
-    opinions_.resize(places_.size());
-    for (std::size_t i = 0; i < places_.size(); ++i) {
+    for (std::size_t i = first_element_; i < places_.size(); ++i) {
         const Place& place = places_[i];
-        const NodeId id = place.element;
-        const Rgb by_links = id == kNone ? irradiance_[first_[place.instance] + place.group]
-                                         : glm::max(lighting.irradiance(id) - emitted_by_links[id], Rgb(0.0F));
-        opinions_[i] = {id == kNone ? place.cluster : id, place.area, by_links, Rgb(0.0F),
-                        static_cast<float>(place.rays) / place.open};
-    }
-    find_spread();
-}
-
-void GatheredLight::blend_emitted(std::span<const Rgb> emitted_by_links, const Control& control) {
-    const std::size_t count = places_.size() - first_element_;
-    std::vector<Opinions> opinions(count);
-    std::vector<float> variance(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const Place& place = places_[first_element_ + i];
-        const Rgb emitted = emitted_[first_element_ + i];
-        opinions[i] = {place.element, place.area, emitted_by_links[place.element], place.open * emitted,
-                       static_cast<float>(place.rays) / place.open};
-        variance[i] = std::max(0.0F, emitted_squares_[first_element_ + i] - luminance(emitted) * luminance(emitted));
-    }
-    of_emitted_ = {kWhole, kEmittedPart, spread_of_rays(opinions, variance)};
-    elements_.blend(opinions, of_emitted_, control);
-    for (std::size_t i = 0; i < count; ++i) {
-        emitted_[first_element_ + i] = opinions[i].by_rays / std::max(places_[first_element_ + i].open, kLeastOpen);
+        const Rgb by_links = glm::max(lighting.irradiance(place.element) - emitted_by_links[place.element], Rgb(0.0F));
+        opinions_.push_back({place.element, place.area, by_links, Rgb(0.0F), static_cast<float>(place.rays) / place.open});
     }
 }
 
-void GatheredLight::find_spread() {
-    std::vector<float> variance(places_.size());
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-        const Rgb light = reflected_to(i, variance[i]);
-        (void)light;
-        if (i < first_element_) {
-            variance[i] += std::max(0.0F, emitted_squares_[i] - luminance(emitted_[i]) * luminance(emitted_[i]));
-        }
-    }
-    const std::span<const Opinions> all = opinions_;
-    const std::span<const float> variances = variance;
-    of_faces_ = {kWhole, kFacesPart, spread_of_rays(all.first(first_element_), variances.first(first_element_))};
-    of_elements_ = {kWhole, kReflectedPart,
-                    spread_of_rays(all.subspan(first_element_), variances.subspan(first_element_))};
-}
-
-// What the rays of a place bring from surfaces; the variance of the luminance that one brings.
-Rgb GatheredLight::reflected_to(std::size_t i, float& variance) const {
+// What the rays of a place bring from surfaces.
+Rgb GatheredLight::reflected_to(std::size_t i) const {
     const Place& place = places_[i];
     Rgb sum(0.0F);
-    float squares = 0;
     for (std::size_t k = place.first_ray; k < place.first_ray + place.rays; ++k) {
         if (hits_[k] != kNone) {
-            const Rgb light = radiosity_[hits_[k]];
-            sum += light;
-            squares += luminance(light) * luminance(light);
+            sum += radiosity_[hits_[k]];
         }
     }
-    const auto count = static_cast<float>(place.rays);
-    const Rgb mean = sum / count;
-    variance = std::max(0.0F, squares / count - luminance(mean) * luminance(mean)) * count / std::max(count - 1, 1.0F);
-    return mean;
+    return sum / static_cast<float>(place.rays);
 }
 
 // One Jacobi step; returns the sum of all changes of reflected light, as a share of it.
 double GatheredLight::iterate(const Control& control) {
-    parallel_for(places_.size(), 1024, control, [&](std::size_t i) {
-        float variance = 0;
-        const Rgb reflected = reflected_to(i, variance);
-        opinions_[i].by_rays = i < first_element_ ? emitted_[i] + reflected : places_[i].open * reflected;
-    });
+    parallel_for(places_.size(), 1024, control, [&](std::size_t i) { light_[i] = reflected_to(i); });
     std::vector<Opinions> opinions = opinions_;
-    blend_faces(*hierarchy_, std::span(opinions).first(first_element_), of_faces_);
-    elements_.blend(std::span(opinions).subspan(first_element_), of_elements_, control);
+    for (std::size_t i = 0; i < opinions.size(); ++i) {
+        opinions[i].by_rays = places_[first_element_ + i].open * light_[first_element_ + i];
+    }
+    elements_.blend(opinions, kReflected, control);
+    for (std::size_t i = 0; i < opinions.size(); ++i) {
+        light_[first_element_ + i] = opinions[i].by_rays / std::max(places_[first_element_ + i].open, kLeastOpen);
+    }
     double all = 0, change = 0;
     for (std::size_t i = 0; i < places_.size(); ++i) {
-        const Place& place = places_[i];
-        light_[i] = i < first_element_ ? opinions[i].by_rays
-                                       : emitted_[i] + opinions[i].by_rays / std::max(place.open, kLeastOpen);
-        const Rgb next = place.reflectance * light_[i];
-        change += place.area * std::abs(luminance(next) - luminance(radiosity_[i]));
-        all += place.area * luminance(next);
+        light_[i] += emitted_[i];
+        const Rgb next = places_[i].reflectance * light_[i];
+        change += places_[i].area * std::abs(luminance(next) - luminance(radiosity_[i]));
+        all += places_[i].area * luminance(next);
         radiosity_[i] = next;
     }
     return change / std::max(all, 1e-300);
@@ -160,7 +111,6 @@ void GatheredLight::finish() {
     place_of_group_ = {};
     place_of_element_ = {};
     emitted_ = {};
-    emitted_squares_ = {};
     light_ = {};
     opinions_ = {};
     elements_ = {};

@@ -78,10 +78,8 @@ class GatheredLight {
     [[nodiscard]] float detail() const;
     void list_shares(const Control& control);
     static void merge_shares(std::vector<Share>& list);
-    [[nodiscard]] Rgb reflected_to(std::size_t place, float& variance) const;
-    void find_spread();
+    [[nodiscard]] Rgb reflected_to(std::size_t place) const;
     double iterate(const Control& control);
-    void blend_emitted(std::span<const Rgb> emitted_by_links, const Control& control);
     void trace(std::size_t begin, std::size_t end, const ElementTable& elements, const Lighting& lighting,
                const RayTracer& tracer);
 
@@ -95,10 +93,8 @@ class GatheredLight {
     std::vector<std::uint32_t> place_of_element_;  // per node
     std::vector<Rgb> emitted_;                     // per place: irradiance from lamps, sky, glowing surfaces
     std::vector<Rgb> light_;                       // per place: all irradiance
-    std::vector<float> emitted_squares_;           // per place: mean square of what a shadow ray brings
-    std::vector<Opinions> opinions_;               // per place, of all light of groups, and of what elements reflect
+    std::vector<Opinions> opinions_;               // per leaf element: of reflected light
     ElementOpinions elements_;
-    Trust of_emitted_, of_elements_, of_faces_;
     std::vector<Rgb> radiosity_;                   // per place, without what it emits
     std::vector<std::uint32_t> hits_;              // per ray: the place that it hit, or kNone
     std::vector<NodeId> leaves_;          // leaf clusters

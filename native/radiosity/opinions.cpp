@@ -1,7 +1,6 @@
 #include "radiosity/opinions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "core/parallel.h"
@@ -125,29 +124,6 @@ void ElementOpinions::blend(std::span<Opinions> opinions, const Trust& trust, co
     std::vector<Sums> sums(hierarchy_->nodes().size());
     Blender blender(*hierarchy_, opinions, opinion_of_, trust, sums);
     parallel_for(roots_.size(), 64, control, [&](std::size_t i) { blender.blend(roots_[i]); });
-}
-
-void blend_faces(const Hierarchy& hierarchy, std::span<Opinions> opinions, const Trust& spread) {
-    std::vector<Sums> sums(hierarchy.nodes().size());
-    for (const Opinions& part : opinions) {
-        add(sums[part.node], sums_of(part));
-    }
-    for (Opinions& part : opinions) {
-        const Sums& all = sums[part.node];
-        const float even = kEven * all.by_links / std::max(all.area, 1e-30F);
-        const Judgement whole = judge(all, Rgb(0.0F), even, spread.whole, spread.ray);
-        settle(part, judge(sums_of(part), whole.share, even, spread.part, spread.ray));
-    }
-}
-
-float spread_of_rays(std::span<const Opinions> opinions, std::span<const float> variance) {
-    double noise = 0, light = 0;
-    for (std::size_t i = 0; i < opinions.size(); ++i) {
-        noise += static_cast<double>(opinions[i].area) * variance[i];
-        light += static_cast<double>(opinions[i].area) * luminance(opinions[i].by_links) *
-                 luminance(opinions[i].by_links);
-    }
-    return static_cast<float>(std::sqrt(noise / std::max(light, 1e-30)));
 }
 
 }  // namespace gg

@@ -5,6 +5,7 @@
 #include "core/control.h"
 #include "core/statistics.h"
 #include "radiosity/interpolation.h"
+#include "radiosity/large_faces.h"
 #include "radiosity/mesh_balance.h"
 #include "radiosity/refine.h"
 #include "radiosity/shadow_edges.h"
@@ -17,11 +18,12 @@ namespace {
 
 // Multigridding: coarse links carry the light around once before finer ones are judged by it.
 constexpr float kCoarseness[] = {16, 4, 1};
-constexpr float kLinkError = 1.5F, kEdgeError = 0.5F;  // links may be wrong by more than what is asked for: faces look around in the end
+constexpr float kLinkError = 2, kEdgeError = 0.5F;  // links may be wrong by more than what is asked for: faces look around in the end
 constexpr float kDark = 1e-3F;  // irradiance, as a share of the white
+constexpr float kLargeFace = 0.1F;  // share of the extent of light
 constexpr int kSweepsBetween = 5;
 constexpr int kSweepsAtEnd = 200;  // enough for a mean reflectance of 0.97
-constexpr double kConverged = 1e-3;        // change of the reflected power in one sweep, share of it
+constexpr double kConverged = 2e-3;        // change of the reflected power in one sweep, share of it
 constexpr double kNearlyConverged = 1e-2;  // the same, before faces look around
 
 struct Power {
@@ -131,6 +133,7 @@ std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& c
                    statistics);
             if (coarseness <= 1) {
                 guide = SourceGuide(solution->hierarchy, solution->links.all);
+                open_large_faces(solution->hierarchy, solution->lighting, kLargeFace * solution->white.extent, control);
                 split_at_shadow_edges(solution->hierarchy, solution->lighting, guide, tracer,
                                       {kEdgeError * settings.quality, solution->white}, control);
                 balance_elements(solution->hierarchy, solution->lighting, control);

@@ -41,7 +41,7 @@ class OpinionsTest : public testing::Test {
     void blend(const Trust& trust) {
         std::vector<NodeId> leaves;
         for (const Opinions& o : opinions_) {
-            leaves.push_back(o.node);
+            leaves.push_back(o.element);
         }
         ElementOpinions(*hierarchy_, leaves).blend(opinions_, trust, prepared_->control);
     }
@@ -129,24 +129,6 @@ TEST_F(OpinionsTest, nothing_is_below_zero) {
     for (const Opinions& o : opinions_) {
         EXPECT_GE(luminance(o.by_rays), 0);
     }
-}
-
-TEST_F(OpinionsTest, faces_of_a_cluster_are_its_parts) {
-    std::vector<Opinions> faces(4, {kGeometryRoot, 1.0F, Rgb(1.0F), Rgb(2.0F), 1e8F});
-    faces[3].by_rays = Rgb(0.5F);
-    faces[3].rays = 1;
-    blend_faces(*hierarchy_, faces, {1, 0.1F, 1});
-    EXPECT_NEAR(luminance(faces[0].by_rays), 2, 0.01F);
-    EXPECT_GT(luminance(faces[3].by_rays), 1.4F);  // takes what the others say for more than its one ray
-}
-
-TEST_F(OpinionsTest, spread_is_relative_to_what_links_say) {
-    for (Opinions& o : opinions_) {
-        o.by_links = Rgb(2.0F);
-    }
-    const std::vector<float> variance(opinions_.size(), 9.0F);
-    EXPECT_NEAR(spread_of_rays(opinions_, variance), 1.5F, 1e-5F);
-    EXPECT_EQ(spread_of_rays({}, {}), 0);
 }
 
 }  // namespace

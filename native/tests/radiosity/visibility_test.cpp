@@ -64,7 +64,7 @@ class LinkVisibility : public testing::Test {
     }
 
     Prepared prepared_{mixed_scene()};
-    std::shared_ptr<const Solution> solution_ = prepared_.solve(0.013F);
+    std::shared_ptr<const Solution> solution_ = prepared_.solve(0.01F);
 };
 
 TEST_F(LinkVisibility, of_elements_is_unbiased) {
