@@ -38,6 +38,7 @@ void GatheredLight::find_groups(const Lighting& lighting, int rays, const Contro
                                           }
                                       });
     place_of_group_.assign(total, kNone);
+    radiosity_.reserve(places_.size());
     for (std::size_t i = 0; i < places_.size(); ++i) {
         const Rgb irradiance = irradiance_[first_[places_[i].instance] + places_[i].group];
         place_of_group_[first_[places_[i].instance] + places_[i].group] = static_cast<std::uint32_t>(i);
@@ -84,7 +85,8 @@ void GatheredLight::list_groups(std::uint32_t instance, const InstanceParts& par
         const Exposure& exposure = mesh.exposure[first.triangle];
         const bool covered = (first.back ? exposure.back : exposure.front) < kCovered;
         const float size = std::sqrt(area) / detail();
-        const float share = covered ? 0.0F : std::clamp(std::max(std::min(1.0F, size), size * size), kLeastShare, kMostShare);
+        const float share =
+            covered ? 0.0F : std::clamp(std::max(std::min(1.0F, size), size * size), kLeastShare, kMostShare);
         const auto count = static_cast<std::uint32_t>(std::max(kLeastRays, static_cast<float>(rays) * share));
         out.push_back({instance, g, cluster[g], kNone, count, 0, 1, area, inverse * reflecting});
     }
@@ -104,6 +106,7 @@ void GatheredLight::merge_shares(std::vector<Share>& list) {
         }
     }
     list.resize(list.empty() ? 0 : last + 1);
+    list.shrink_to_fit();  // it had an entry for every face
 }
 
 void GatheredLight::list_shares(const Control& control) {
@@ -140,19 +143,23 @@ void GatheredLight::list_elements(const Lighting& lighting, int rays, float dark
     place_of_element_.assign(hierarchy_->nodes().size(), kNone);
     std::vector<NodeId> leaves;
     for (NodeId id = 0; id < hierarchy_->nodes().size(); ++id) {
-        const Node& node = (*hierarchy_)[id];
-        if (node.kind == NodeKind::kElement && node.child_count == 0) {
-            const bool is_dark = luminance(lighting.irradiance(id)) < dark;
-            const float share = is_dark ? 0.0F : node.area / (detail() * detail());
-            const auto count = static_cast<std::uint32_t>(
-                std::clamp(static_cast<float>(rays) * share, kLeastElementRays, kMostElementRays));
-            place_of_element_[id] = static_cast<std::uint32_t>(places_.size());
-            places_.push_back({node.instance, kNone, kNone, id, count, 0, 1, node.area, node.reflectance});
-            radiosity_.push_back(node.reflectance * lighting.irradiance(id));
+        if ((*hierarchy_)[id].kind == NodeKind::kElement && (*hierarchy_)[id].child_count == 0) {
             leaves.push_back(id);
         }
     }
-    elements_ = ElementOpinions(*hierarchy_, leaves);
+    places_.reserve(places_.size() + leaves.size());
+    radiosity_.reserve(places_.size() + leaves.size());
+    for (const NodeId id : leaves) {
+        const Node& node = (*hierarchy_)[id];
+        const bool is_dark = luminance(lighting.irradiance(id)) < dark;
+        const float share = is_dark ? 0.0F : node.area / (detail() * detail());
+        const auto count = static_cast<std::uint32_t>(
+            std::clamp(static_cast<float>(rays) * share, kLeastElementRays, kMostElementRays));
+        place_of_element_[id] = static_cast<std::uint32_t>(places_.size());
+        places_.push_back({node.instance, kNone, kNone, id, count, 0, 1, node.area, node.reflectance});
+        radiosity_.push_back(node.reflectance * lighting.irradiance(id));
+    }
+    of_elements_ = ElementOpinions(*hierarchy_, leaves);
 }
 
 float GatheredLight::detail() const {

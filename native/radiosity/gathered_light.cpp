@@ -13,7 +13,7 @@ namespace gg {
 namespace {
 
 constexpr std::size_t kPlacesAtOnce = 32;
-constexpr float kLeastOpen = 0.2F;  // of an element: what few points see is not trusted for more
+constexpr float kLeastOpen = 0.2F;          // of an element: what few points see is not trusted for more
 constexpr Trust kReflected{1, 0.5F, 1.3F};  // fixed: where few rays miss what is bright, they agree, and are wrong
 
 }  // namespace
@@ -36,7 +36,8 @@ GatheredLight::GatheredLight(const Hierarchy& hierarchy, const ElementTable& ele
     for (std::size_t i = first_element_; i < places_.size(); ++i) {
         const Place& place = places_[i];
         const Rgb by_links = glm::max(lighting.irradiance(place.element) - emitted_by_links[place.element], Rgb(0.0F));
-        opinions_.push_back({place.element, place.area, by_links, Rgb(0.0F), static_cast<float>(place.rays) / place.open});
+        opinions_.push_back(
+            {place.element, place.area, by_links, Rgb(0.0F), static_cast<float>(place.rays) / place.open});
     }
 }
 
@@ -59,7 +60,7 @@ double GatheredLight::iterate(const Control& control) {
     for (std::size_t i = 0; i < opinions.size(); ++i) {
         opinions[i].by_rays = places_[first_element_ + i].open * light_[first_element_ + i];
     }
-    elements_.blend(opinions, kReflected, control);
+    of_elements_.blend(opinions, kReflected, control);
     for (std::size_t i = 0; i < opinions.size(); ++i) {
         light_[first_element_ + i] = opinions[i].by_rays / std::max(places_[first_element_ + i].open, kLeastOpen);
     }
@@ -113,7 +114,7 @@ void GatheredLight::finish() {
     emitted_ = {};
     light_ = {};
     opinions_ = {};
-    elements_ = {};
+    of_elements_ = {};
     radiosity_ = {};
     hits_ = {};
     leaves_ = {};
@@ -122,8 +123,7 @@ void GatheredLight::finish() {
 }
 
 std::size_t GatheredLight::bytes() const {
-    return (irradiance_.capacity() + emitted_.capacity() + light_.capacity() + radiosity_.capacity()) *
-               sizeof(Rgb) +
+    return (irradiance_.capacity() + emitted_.capacity() + light_.capacity() + radiosity_.capacity()) * sizeof(Rgb) +
            (first_.capacity() + place_of_group_.capacity() + place_of_element_.capacity() + hits_.capacity()) *
                sizeof(std::uint32_t) +
            places_.capacity() * sizeof(Place) + shares_.capacity() * sizeof(Share);

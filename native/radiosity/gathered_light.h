@@ -1,6 +1,6 @@
-// Light that surfaces see by rays of their own. Links know a cluster only as a whole, and of elements each is a little
-// wrong: so groups of a cluster's faces and elements look around themselves once more, and replace or correct what
-// links tell of them.
+// Light that surfaces see by rays of their own. Links know a cluster only as a whole, and each is a little wrong in its
+// own way: so groups of a cluster's faces and leaf elements, the places, look around themselves once more, and light
+// comes to rest between them anew. What a ray brings is at most what is there, so this never diverges.
 #pragma once
 
 #include <cstdint>
@@ -22,10 +22,10 @@ class GatheredLight {
   public:
     GatheredLight() = default;
 
-    // Traces all rays: about `rays` from a group or an element of the size of a detail, and shadow rays to
-    // lamps. Places begin with what links, as `lighting` has gathered them, tell; emitted_by_links [W/m2], per node: so
-    // much of it comes from lamps, sky and glowing surfaces. The hierarchy must outlive this, unchanged;
-    // the guide until finish().
+    // Traces all rays: about `rays` from a place of the size of a detail, and shadow rays to what the guide lists.
+    // Places begin with what links, as `lighting` has gathered them, tell; emitted_by_links [W/m2], per node: so much
+    // of it comes from lamps, sky and glowing surfaces. Elements with less than `dark` [W/m2] get few rays. The
+    // hierarchy must outlive this, unchanged; the guide until finish().
     GatheredLight(const Hierarchy& hierarchy, const ElementTable& elements, const SourceGuide& guide,
                   const Lighting& lighting, std::span<const Rgb> emitted_by_links, const RayTracer& tracer, int rays,
                   float dark, const Control& control);
@@ -64,6 +64,7 @@ class GatheredLight {
         Rgb reflecting{0.0F};     // area times reflectance
     };
     class Block;
+
     [[nodiscard]] const FaceGroups& groups_of(std::uint32_t instance) const {
         const Scene& scene = hierarchy_->scene();
         return hierarchy_->faces().meshes[scene.instances[instance].mesh].groups;
@@ -94,9 +95,9 @@ class GatheredLight {
     std::vector<Rgb> emitted_;                     // per place: irradiance from lamps, sky, glowing surfaces
     std::vector<Rgb> light_;                       // per place: all irradiance
     std::vector<Opinions> opinions_;               // per leaf element: of reflected light
-    ElementOpinions elements_;
-    std::vector<Rgb> radiosity_;                   // per place, without what it emits
-    std::vector<std::uint32_t> hits_;              // per ray: the place that it hit, or kNone
+    ElementOpinions of_elements_;
+    std::vector<Rgb> radiosity_;          // per place, without what it emits
+    std::vector<std::uint32_t> hits_;     // per ray: the place that it hit, or kNone
     std::vector<NodeId> leaves_;          // leaf clusters
     std::vector<std::size_t> share_end_;  // of each of them in shares_
     std::vector<Share> shares_;

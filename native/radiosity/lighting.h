@@ -55,7 +55,6 @@ class Lighting {
     void pull(const Control& control);
 
     // Scales all light that links bring from surface to surface; 1 at first.
-    void set_gain(float gain) { gain_ = gain; }
     [[nodiscard]] float gain() const { return gain_; }
 
     // Means over the node's faces, W/m2. Lamps and sky have their emission as radiosity.

@@ -15,8 +15,8 @@ constexpr float kEven = 0.1F;   // share of a triangle's mean that even its dark
 // Sums over the leaves of an element.
 struct Sums {
     float area = 0;
-    float by_links = 0;  // area times luminance
-    Rgb by_rays{0.0F}, links{0.0F};    // area times irradiance
+    float by_links = 0;              // area times luminance
+    Rgb by_rays{0.0F}, links{0.0F};  // area times irradiance
     // Squares, over the number of rays, of the area and of area times luminance by links.
     float noise_of_area = 0, noise_by_links = 0;
 };
@@ -63,8 +63,8 @@ void settle(Opinions& leaf, const Judgement& judgement) {
 
 class Blender {
   public:
-    Blender(const Hierarchy& hierarchy, std::span<Opinions> opinions, std::span<const std::uint32_t> opinion_of, const Trust& spread,
-            std::vector<Sums>& sums)
+    Blender(const Hierarchy& hierarchy, std::span<Opinions> opinions, std::span<const std::uint32_t> opinion_of,
+            const Trust& spread, std::vector<Sums>& sums)
         : hierarchy_(hierarchy), opinions_(opinions), opinion_of_(opinion_of), spread_(spread), sums_(sums) {}
 
     void blend(NodeId root) {

@@ -79,9 +79,9 @@ class EdgeFinder {
             const auto c = quarter_of(node.corner, static_cast<int>(k % kQuarters));
             const Vec3 w = square_to_triangle(sequence(k, 0), sequence(k, 1));
             const Vec3 x = w.x * c[0] + w.y * c[1] + w.z * c[2];
-            const SourceRay ray = ray_to_source(
-                hierarchy_, sources_.nodes[static_cast<std::size_t>(found - first)],
-                {offset_origin(x, node.normal, node.radius), node.normal}, Vec3(sequence(j, 2), sequence(j, 5), sequence(j, 3)));
+            const SourceRay ray = ray_to_source(hierarchy_, sources_.nodes[static_cast<std::size_t>(found - first)],
+                                                {offset_origin(x, node.normal, node.radius), node.normal},
+                                                Vec3(sequence(j, 2), sequence(j, 5), sequence(j, 3)));
             rays_[k] = ray.ray;
             light_[k] = luminance(ray.light) / (chance * static_cast<float>(each));
         }
@@ -98,8 +98,8 @@ class EdgeFinder {
 
 }  // namespace
 
-void split_at_shadow_edges(Hierarchy& hierarchy, Lighting& lighting, const SourceGuide& guide,
-                           const RayTracer& tracer, const RefineSettings& settings, const Control& control) {
+void split_at_shadow_edges(Hierarchy& hierarchy, Lighting& lighting, const SourceGuide& guide, const RayTracer& tracer,
+                           const RefineSettings& settings, const Control& control) {
     NodeId begin = 0;
     for (int round = 0; round < kMostRounds; ++round) {
         std::vector<NodeId> candidates;

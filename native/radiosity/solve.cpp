@@ -18,11 +18,12 @@ namespace {
 
 // Multigridding: coarse links carry the light around once before finer ones are judged by it.
 constexpr float kCoarseness[] = {16, 4, 1};
-constexpr float kLinkError = 2, kEdgeError = 0.5F;  // links may be wrong by more than what is asked for: faces look around in the end
-constexpr float kDark = 1e-3F;  // irradiance, as a share of the white
+constexpr float kLinkError = 2,
+                kEdgeError = 0.5F;  // links may be wrong by more than what is asked for: faces look around in the end
+constexpr float kDark = 1e-3F;      // irradiance, as a share of the white
 constexpr float kLargeFace = 0.1F;  // share of the extent of light
 constexpr int kSweepsBetween = 5;
-constexpr int kSweepsAtEnd = 200;  // enough for a mean reflectance of 0.97
+constexpr int kSweepsAtEnd = 200;          // enough for a mean reflectance of 0.97
 constexpr double kConverged = 2e-3;        // change of the reflected power in one sweep, share of it
 constexpr double kNearlyConverged = 1e-2;  // the same, before faces look around
 
@@ -95,15 +96,15 @@ int face_rays(float quality) {
 }
 
 // Leaves the solution to what faces see by rays of their own. Returns the number of iterations.
-int look_around(Solution& solution, const SourceGuide& guide, std::span<const Rgb> emitted_by_links, const RayTracer& tracer, int rays,
-                const Control& control) {
+int look_around(Solution& solution, const SourceGuide& guide, std::span<const Rgb> emitted_by_links,
+                const RayTracer& tracer, int rays, const Control& control) {
     if (!solution.hierarchy.has_geometry()) {
         return 0;
     }
     solution.elements = find_elements(solution.hierarchy);
     GatheredLight& light = solution.face_light;
-    light = GatheredLight(solution.hierarchy, solution.elements, guide, solution.lighting,
-                          emitted_by_links, tracer, rays, kDark * solution.white.irradiance, control);
+    light = GatheredLight(solution.hierarchy, solution.elements, guide, solution.lighting, emitted_by_links, tracer,
+                          rays, kDark * solution.white.irradiance, control);
     const int iterations = light.settle(kSweepsAtEnd, kConverged, control);
     light.tell(solution.lighting, control);
     light.finish();

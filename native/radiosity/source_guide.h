@@ -38,8 +38,8 @@ class SourceGuide {
     // The hierarchy must outlive this. Nodes that are opened later have the links of their ancestors.
     SourceGuide(const Hierarchy& hierarchy, std::span<const Link> links);
 
-    // Everything that some point of the neighbourhood may see. The sky is left out where much of it is seen: rays of the
-    // hemisphere then meet it often enough.
+    // Everything that some point of the neighbourhood may see. The sky is left out where much of it is seen: rays of
+    // the hemisphere then meet it often enough.
     void list(const Neighbourhood& place, Sources& out) const;
 
     // Elements of whole triangles that glow. None when there are too many, or large ones: rays find those unaided.

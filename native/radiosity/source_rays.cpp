@@ -18,8 +18,8 @@ constexpr float kAlmost = 0.9999F;  // of the way to a source
 constexpr float kFar = 4;           // distance in sizes of a source from which one point of it tells as much as all
 
 // Candidates for the point of a source to which the ray goes, one in each cell of the unit square: the closer the
-// source, the more. One is chosen by what they bring, and stands for their mean [Talbot et al. 2005]: a single point next
-// to the source would now and then bring a multiple of what all others do.
+// source, the more. One is chosen by what they bring, and stands for their mean [Talbot et al. 2005]: a single point
+// next to the source would now and then bring a multiple of what all others do.
 int candidates_on_a_side(float square_of_distance, float size) {
     constexpr float kNear = 1.5F;
     const float ratio = square_of_distance / (size * size);

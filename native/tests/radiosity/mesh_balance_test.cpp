@@ -56,8 +56,9 @@ TEST(MeshBalance, grades_elements_around_a_small_one) {
         std::vector<NodeId> leaves;
         for (NodeId id = 0; id < hierarchy.nodes().size(); ++id) {
             const Node& node = hierarchy[id];
-            const bool small = node.kind == NodeKind::kElement &&
-                               (node.source > 0 || node.depth > 5 || length(node.center - Vec3(0.55F, 0.45F, 0)) > node.radius);
+            const bool small =
+                node.kind == NodeKind::kElement &&
+                (node.source > 0 || node.depth > 5 || length(node.center - Vec3(0.55F, 0.45F, 0)) > node.radius);
             if (is_surface(node) && node.child_count == 0 && !small) {
                 leaves.push_back(id);
             }

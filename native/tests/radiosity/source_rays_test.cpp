@@ -20,8 +20,7 @@ double mean_light(const Prepared& prepared, const Hierarchy& hierarchy, NodeId s
     const Sequence4 sequence(3);
     double sum = 0;
     for (std::uint32_t k = 0; k < kCount; ++k) {
-        const SourceRay ray =
-            ray_to_source(hierarchy, source, x, Vec3(sequence(k, 0), sequence(k, 1), sequence(k, 2)));
+        const SourceRay ray = ray_to_source(hierarchy, source, x, Vec3(sequence(k, 0), sequence(k, 1), sequence(k, 2)));
         if (luminance(ray.light) > 0 && !prepared.tracer->occluded(ray.ray, RayMask::kLight)) {
             sum += luminance(ray.light) / kCount;
         }
@@ -50,7 +49,8 @@ TEST(SourceRays, an_open_lamp_brings_its_irradiance) {
     for (const Vec3 x : {Vec3(0, 0, 0.01F), Vec3(0.4F, 0.3F, 1.8F), Vec3(3, 2, 0.01F), Vec3(4.5F, -4.5F, 0.5F)}) {
         const OffsetPoint point{x, Vec3(0, 0, 1)};
         const double exact = luminance(lamp_irradiance(prepared.scene.lamps[0], x, point.normal));
-        EXPECT_NEAR(mean_light(prepared, hierarchy, first_lamp(hierarchy), point) / exact, 1, 0.01) << x.x << " " << x.z;
+        EXPECT_NEAR(mean_light(prepared, hierarchy, first_lamp(hierarchy), point) / exact, 1, 0.01)
+            << x.x << " " << x.z;
     }
 }
 
