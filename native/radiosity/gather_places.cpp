@@ -15,6 +15,7 @@ constexpr float kCovered = 0.1F;  // exposure
 constexpr float kLeastShare = 0.25F, kMostShare = 64;
 constexpr float kLeastRays = 2;
 constexpr float kLeastElementRays = 8, kMostElementRays = 512;
+constexpr float kMoreWithSky = 2;      // few rays find windows, and the patches of sunlight behind them
 constexpr float kDetail = 1.0F / 200;  // size of a place, as a share of the scene's, from which all rays start
 
 }  // namespace
@@ -147,6 +148,7 @@ void GatheredLight::list_elements(const Lighting& lighting, int rays, float dark
             leaves.push_back(id);
         }
     }
+    const float more = luminance(hierarchy_->scene().world) > 0 ? kMoreWithSky : 1.0F;
     places_.reserve(places_.size() + leaves.size());
     radiosity_.reserve(places_.size() + leaves.size());
     for (const NodeId id : leaves) {
@@ -154,7 +156,7 @@ void GatheredLight::list_elements(const Lighting& lighting, int rays, float dark
         const bool is_dark = luminance(lighting.irradiance(id)) < dark;
         const float share = is_dark ? 0.0F : node.area / (detail() * detail());
         const auto count = static_cast<std::uint32_t>(
-            std::clamp(static_cast<float>(rays) * share, kLeastElementRays, kMostElementRays));
+            more * std::clamp(static_cast<float>(rays) * share, kLeastElementRays, kMostElementRays));
         place_of_element_[id] = static_cast<std::uint32_t>(places_.size());
         places_.push_back({node.instance, kNone, kNone, id, count, 0, 1, node.area, node.reflectance});
         radiosity_.push_back(node.reflectance * lighting.irradiance(id));

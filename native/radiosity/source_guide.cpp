@@ -54,7 +54,8 @@ void SourceGuide::find_emitters() {
 float SourceGuide::bound(const Node& source, const Neighbourhood& place) const {
     const float light = luminance(source.emission);
     if (source.kind == NodeKind::kSky) {
-        const float cosine = dot(place.normal, source.center) + std::min(source.radius, 1.0F);
+        constexpr float kTall = 2.5F;  // cells near the horizon are longer than their radius
+        const float cosine = dot(place.normal, source.center) + std::min(kTall * source.radius, 1.0F);
         return light * source.area / kPi * std::clamp(cosine, 0.0F, 1.0F);
     }
     const bool is_lamp = source.kind == NodeKind::kLamp;

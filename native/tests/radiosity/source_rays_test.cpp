@@ -138,6 +138,52 @@ TEST(SourceRays, a_glowing_element_brings_its_form_factor) {
     EXPECT_EQ(facing_away, 0);
 }
 
+// Every direction above a tilted receiver's horizon has a chance, from cells of any size.
+TEST(SourceGuide, no_part_of_the_sky_is_left_out) {
+    SceneBuilder builder;
+    builder.description.world = Rgb(1.0F);
+    const auto grey = builder.material(Rgb(0.5F));
+    builder.quad({-9, -9, 1}, {9, -9, 1}, {9, 9, 1}, {-9, 9, 1}, grey, "roof");
+    builder.quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, grey, "floor");
+    Prepared prepared(builder.description);
+    const auto solution = prepared.solve(0.01F);
+    const SourceGuide guide(solution->hierarchy, solution->links.all);
+    NodeId floor = kNone;
+    for (NodeId id = 0; id < solution->hierarchy.nodes().size(); ++id) {
+        const Node& node = solution->hierarchy[id];
+        if (node.kind == NodeKind::kElement && node.child_count == 0 && node.instance == 1 && !node.back) {
+            floor = id;
+        }
+    }
+    ASSERT_NE(floor, kNone);
+    Sources sources;
+    guide.list({{0, 0, 0}, normalize(Vec3(1, 0.3F, 0.2F)), 0.1F, floor}, sources);
+    ASSERT_TRUE(sources.has(kSkySources));
+    const Sequence4 sequence(1);
+    for (std::uint32_t k = 0; k < 20000; ++k) {
+        const Vec3 direction = square_to_sphere(sequence(k, 0), sequence(k, 1));
+        if (dot(direction, normalize(Vec3(1, 0.3F, 0.2F))) < 0) {
+            continue;
+        }
+        bool found = false;
+        for (std::size_t i = sources.begin[kSkySources]; i < sources.begin[kSkySources + 1]; ++i) {
+            const Node& cell = solution->hierarchy[sources.nodes[i]];
+            // The nearest direction of a grid on the cell.
+            for (int p = 0; p <= 16 && !found; ++p) {
+                for (int q = 0; q <= 16 && !found; ++q) {
+                    const Vec3 d =
+                        cell_direction(sky_cell_of(cell), static_cast<float>(p) / 16, static_cast<float>(q) / 16);
+                    found = dot(d, direction) > 1 - 0.002F * cell.area;
+                }
+            }
+        }
+        EXPECT_TRUE(found) << direction.x << " " << direction.y << " " << direction.z;
+        if (!found) {
+            break;
+        }
+    }
+}
+
 // Two lamps, one of which a wall hides from the floor.
 TEST(SourceGuide, hidden_sources_keep_a_chance_and_those_behind_have_none) {
     SceneBuilder builder;
