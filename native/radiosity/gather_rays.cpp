@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t kRaysPerShadowRay = 2;  // of groups
 constexpr std::uint32_t kProbes = 3;
-constexpr std::uint64_t kProbeSeed = 0x70726f62;
+constexpr std::uint64_t kProbeSeed = 0x70726f62, kShadowSeed = 0x73686164;  // no place of a ray may go with its target
 
 }  // namespace
 
@@ -189,7 +189,7 @@ class GatheredLight::Block {
         const auto first = sources_.sums.begin() + static_cast<std::ptrdiff_t>(sources_.begin[kind]);
         const auto last = sources_.sums.begin() + static_cast<std::ptrdiff_t>(sources_.begin[kind + 1]);
         const float total = *(last - 1);
-        const Sequence6 sequence(seed_of(place));
+        const Sequence6 sequence(hash64(seed_of(place), kShadowSeed + kind));
         const float shift = sequence(0, 4);
         const std::uint32_t count = std::max(1U, place.element == kNone ? place.rays / kRaysPerShadowRay : place.rays);
         for (std::uint32_t k = 0; k < count; ++k) {
