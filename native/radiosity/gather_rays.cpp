@@ -16,6 +16,8 @@ namespace gg {
 namespace {
 
 constexpr std::uint32_t kRaysPerShadowRay = 2;  // of groups
+constexpr float kHalf =
+    0.5F;  // of the sky by rays of the hemisphere, half by shadow rays: each fails where the other does not
 constexpr std::uint32_t kProbes = 3;
 constexpr std::uint64_t kProbeSeed = 0x70726f62, kShadowSeed = 0x73686164;  // no place of a ray may go with its target
 
@@ -196,7 +198,7 @@ class GatheredLight::Block {
             const float u = total * (static_cast<float>(k) + shift) / static_cast<float>(count);
             const auto found = std::upper_bound(first, last - 1, u);
             const float chance = (*found - (found > first ? *(found - 1) : 0)) / total;
-            const float share = 1 / (chance * static_cast<float>(count));
+            const float share = (kind == kSkySources ? kHalf : 1.0F) / (chance * static_cast<float>(count));
             const OffsetPoint& x = points_[open_points_[scattered(k, count) * open_points_.size() / count]];
             const NodeId source = sources_.nodes[static_cast<std::size_t>(found - sources_.sums.begin())];
             const Vec3 sample(sequence(k, 0), sequence(k, 5), sequence(k, 3));
@@ -227,7 +229,7 @@ class GatheredLight::Block {
         for (const std::size_t k : open_points_) {
             const Hit& hit = hits_[k];
             if (hit.missed()) {
-                emitted += sky_by_shadow_rays ? Rgb(0.0F) : share * kPi * scene_.world;
+                emitted += (sky_by_shadow_rays ? kHalf : 1.0F) * share * kPi * scene_.world;
             } else {
                 owner_.hits_[slot] = place_at(rays_[k], hit, share, emitted);
             }

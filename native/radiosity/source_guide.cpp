@@ -8,7 +8,8 @@ namespace gg {
 namespace {
 
 constexpr float kMuchOfSky = 0.25F;
-constexpr float kHidden = 0.05F;  // visibility that is allowed for where a link's rays met none
+constexpr float kHidden = 0.05F;    // visibility that is allowed for where a link's rays met none
+constexpr float kHiddenSky = 0.5F;  // the same of the sky: links of whole walls do not know its windows
 
 }  // namespace
 
@@ -105,11 +106,8 @@ void SourceGuide::list(const Neighbourhood& place, Sources& out) const {
             }
         }
     };
-    const auto add_arrow = [&](const Arrow& arrow, float most) {
-        add(arrow.sender, (arrow.visibility + kHidden) * most);
-    };
     begin(kLocalSources);
-    each_arrow(false, add_arrow);
+    each_arrow(false, [&](const Arrow& arrow, float most) { add(arrow.sender, (arrow.visibility + kHidden) * most); });
     for (const NodeId emitter : emitters_) {
         add(emitter, bound((*hierarchy_)[emitter], place));
     }
@@ -120,7 +118,8 @@ void SourceGuide::list(const Neighbourhood& place, Sources& out) const {
         seen += arrow.visibility * most;
     });
     if (seen < kMuchOfSky * sky) {
-        each_arrow(true, add_arrow);
+        each_arrow(true,
+                   [&](const Arrow& arrow, float most) { add(arrow.sender, (arrow.visibility + kHiddenSky) * most); });
     }
     begin(Sources::kKinds);
 }
