@@ -16,8 +16,7 @@ namespace gg {
 namespace {
 
 constexpr std::uint32_t kRaysPerShadowRay = 2;  // of groups
-constexpr float kHalf =
-    0.5F;  // of the sky by rays of the hemisphere, half by shadow rays: each fails where the other does not
+constexpr float kHalf = 0.5F;  // of the sky by either kind of rays: each fails where the other does not
 constexpr std::uint32_t kProbes = 3;
 constexpr std::uint64_t kProbeSeed = 0x70726f62, kShadowSeed = 0x73686164;  // no place of a ray may go with its target
 
@@ -110,9 +109,8 @@ class GatheredLight::Block {
             }
         }
         if (open_points_.empty()) {
-            for (std::size_t k = begin; k < end; ++k) {
-                open_points_.push_back(k);
-            }
+            open_points_.resize(end - begin);
+            std::iota(open_points_.begin(), open_points_.end(), begin);
         }
         Place& place = owner_.places_[i];
         place.open = static_cast<float>(open_points_.size()) / static_cast<float>(end - begin);
@@ -188,19 +186,14 @@ class GatheredLight::Block {
             return;
         }
         const Place& place = owner_.places_[i];
-        const auto first = sources_.sums.begin() + static_cast<std::ptrdiff_t>(sources_.begin[kind]);
-        const auto last = sources_.sums.begin() + static_cast<std::ptrdiff_t>(sources_.begin[kind + 1]);
-        const float total = *(last - 1);
         const Sequence6 sequence(hash64(seed_of(place), kShadowSeed + kind));
         const float shift = sequence(0, 4);
         const std::uint32_t count = std::max(1U, place.element == kNone ? place.rays / kRaysPerShadowRay : place.rays);
         for (std::uint32_t k = 0; k < count; ++k) {
-            const float u = total * (static_cast<float>(k) + shift) / static_cast<float>(count);
-            const auto found = std::upper_bound(first, last - 1, u);
-            const float chance = (*found - (found > first ? *(found - 1) : 0)) / total;
+            const auto [source, chance] =
+                sources_.choose(kind, (static_cast<float>(k) + shift) / static_cast<float>(count));
             const float share = (kind == kSkySources ? kHalf : 1.0F) / (chance * static_cast<float>(count));
             const OffsetPoint& x = points_[open_points_[scattered(k, count) * open_points_.size() / count]];
-            const NodeId source = sources_.nodes[static_cast<std::size_t>(found - sources_.sums.begin())];
             const Vec3 sample(sequence(k, 0), sequence(k, 5), sequence(k, 3));
             const SourceRay ray = ray_to_source(*owner_.hierarchy_, source, x, sample);
             if (luminance(ray.light) > 0) {

@@ -36,8 +36,7 @@ GatheredLight::GatheredLight(const Hierarchy& hierarchy, const ElementTable& ele
     for (std::size_t i = first_element_; i < places_.size(); ++i) {
         const Place& place = places_[i];
         const Rgb by_links = glm::max(lighting.irradiance(place.element) - emitted_by_links[place.element], Rgb(0.0F));
-        opinions_.push_back(
-            {place.element, place.area, by_links, Rgb(0.0F), static_cast<float>(place.rays) / place.open});
+        opinions_.push_back({by_links, Rgb(0.0F), static_cast<float>(place.rays) / place.open});
     }
 }
 
@@ -56,13 +55,12 @@ Rgb GatheredLight::reflected_to(std::size_t i) const {
 // One Jacobi step; returns the sum of all changes of reflected light, as a share of it.
 double GatheredLight::iterate(const Control& control) {
     parallel_for(places_.size(), 1024, control, [&](std::size_t i) { light_[i] = reflected_to(i); });
-    std::vector<Opinions> opinions = opinions_;
-    for (std::size_t i = 0; i < opinions.size(); ++i) {
-        opinions[i].by_rays = places_[first_element_ + i].open * light_[first_element_ + i];
+    for (std::size_t i = 0; i < opinions_.size(); ++i) {
+        opinions_[i].by_rays = places_[first_element_ + i].open * light_[first_element_ + i];
     }
-    of_elements_.blend(opinions, kReflected, control);
-    for (std::size_t i = 0; i < opinions.size(); ++i) {
-        light_[first_element_ + i] = opinions[i].by_rays / std::max(places_[first_element_ + i].open, kLeastOpen);
+    of_elements_.blend(opinions_, kReflected, control);
+    for (std::size_t i = 0; i < opinions_.size(); ++i) {
+        light_[first_element_ + i] = opinions_[i].by_rays / std::max(places_[first_element_ + i].open, kLeastOpen);
     }
     double all = 0, change = 0;
     for (std::size_t i = 0; i < places_.size(); ++i) {

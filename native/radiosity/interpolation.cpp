@@ -61,12 +61,7 @@ class VertexBuilder {
         if (node.child_count == 0) {
             return;
         }
-        Corners opposite;
-        for (int k = 0; k < 3; ++k) {
-            const auto next = static_cast<std::uint32_t>(mesh_.normals.size() + out_.midpoints.size());
-            opposite[k] =
-                out_.midpoints.try_emplace(edge_key(corners[(k + 1) % 3], corners[(k + 2) % 3]), next).first->second;
-        }
+        const Corners opposite = opposite_midpoints(out_, mesh_.normals.size(), corners);
         for (int quarter = 0; quarter < 4; ++quarter) {
             make_midpoints(node.first_child + quarter, quarter_corners(corners, opposite, quarter));
         }
@@ -131,7 +126,7 @@ class VertexBuilder {
         }
         values.resize(sums_[side].size());
         for (std::size_t i = 0; i < values.size(); ++i) {
-            // A linear function that was corrected may be below zero at a corner.
+            // Weights of places on an edge may be below zero by rounding.
             values[i] = weights_[side][i] > 0 ? glm::max(sums_[side][i] / weights_[side][i], Rgb(0.0F)) : Rgb(0.0F);
         }
     }

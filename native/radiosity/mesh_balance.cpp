@@ -44,20 +44,10 @@ class Balancer {
             body(id, corners);
             return;
         }
-        const Corners opposite = opposite_vertices(corners);
+        const Corners opposite = opposite_midpoints(vertices_, mesh_.normals.size(), corners);
         for (int quarter = 0; quarter < 4; ++quarter) {
             divide(node.first_child + quarter, quarter_corners(corners, opposite, quarter), body);
         }
-    }
-
-    Corners opposite_vertices(const Corners& corners) {
-        Corners opposite;
-        for (int k = 0; k < 3; ++k) {
-            const auto next = static_cast<std::uint32_t>(mesh_.normals.size() + vertices_.midpoints.size());
-            opposite[k] = vertices_.midpoints.try_emplace(edge_key(corners[(k + 1) % 3], corners[(k + 2) % 3]), next)
-                              .first->second;
-        }
-        return opposite;
     }
 
     [[nodiscard]] bool is_divided_twice(std::uint32_t a, std::uint32_t b) const {

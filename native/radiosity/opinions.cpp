@@ -21,14 +21,14 @@ struct Sums {
     float noise_of_area = 0, noise_by_links = 0;
 };
 
-Sums sums_of(const Opinions& o) {
+Sums sums_of(const Opinions& o, float area) {
     const float light = luminance(o.by_links);
-    return {o.area,
-            o.area * light,
-            o.area * o.by_rays,
-            o.area * o.by_links,
-            o.area * o.area / o.rays,
-            o.area * o.area * light * light / o.rays};
+    return {area,
+            area * light,
+            area * o.by_rays,
+            area * o.by_links,
+            area * area / o.rays,
+            area * area * light * light / o.rays};
 }
 
 void add(Sums& all, const Sums& part) {
@@ -57,8 +57,8 @@ Judgement judge(const Sums& all, Rgb inherited, float even, float expected, floa
     return {inherited + trust * ((all.by_rays - all.links) / base - inherited), base};
 }
 
-void settle(Opinions& leaf, const Judgement& judgement) {
-    leaf.by_rays = glm::max(leaf.by_links + judgement.share * judgement.base / std::max(leaf.area, 1e-30F), Rgb(0.0F));
+void settle(Opinions& leaf, float area, const Judgement& judgement) {
+    leaf.by_rays = glm::max(leaf.by_links + judgement.share * judgement.base / std::max(area, 1e-30F), Rgb(0.0F));
 }
 
 class Blender {
@@ -77,7 +77,7 @@ class Blender {
         const Node& node = hierarchy_[id];
         Sums& all = sums_[id];
         if (node.child_count == 0) {
-            all = sums_of(opinions_[opinion_of_[id]]);
+            all = sums_of(opinions_[opinion_of_[id]], node.area);
             return all;
         }
         for (NodeId child = node.first_child; child < node.first_child + node.child_count; ++child) {
@@ -91,7 +91,7 @@ class Blender {
         const Judgement judgement =
             judge(sums_[id], inherited, even, node.depth == 0 ? spread_.whole : spread_.part, spread_.ray);
         if (node.child_count == 0) {
-            settle(opinions_[opinion_of_[id]], judgement);
+            settle(opinions_[opinion_of_[id]], node.area, judgement);
             return;
         }
         for (NodeId child = node.first_child; child < node.first_child + node.child_count; ++child) {

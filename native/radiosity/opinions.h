@@ -13,8 +13,6 @@ class Control;
 
 // Mean over a leaf element, W/m2.
 struct Opinions {
-    NodeId element = 0;
-    float area = 0;  // m2
     Rgb by_links{0.0F}, by_rays{0.0F};
     float rays = 1;  // how many
 };

@@ -67,7 +67,7 @@ bool can_split(const Node& node, const RefineSettings& settings) {
 
 namespace {
 
-// Faces of clusters look around themselves in the end, and elements correct what other surfaces send.
+// Faces of clusters look around themselves in the end; links to them only have to guide.
 float error_for_faces(const Node& receiver, const Node& sender) {
     return receiver.kind == NodeKind::kCluster && is_surface(sender) ? kClusterError : 1.0F;
 }

@@ -63,9 +63,6 @@ class EdgeFinder {
 
   private:
     void add_rays(const Node& node, std::uint32_t count) {
-        const auto first = sources_.sums.begin();
-        const auto last = first + static_cast<std::ptrdiff_t>(sources_.begin[kLocalSources + 1]);
-        const float total = *(last - 1);
         const Sequence6 sequence(hash64(node.stable_id, kSeed));
         const std::uint32_t each = count / kQuarters;
         rays_.resize(count);
@@ -73,15 +70,14 @@ class EdgeFinder {
         for (std::uint32_t k = 0; k < count; ++k) {
             // Quarters share the points on the source: what differs between them is then more than noise.
             const std::uint32_t j = k / kQuarters;
-            const float u = total * (static_cast<float>(j) + sequence(0, 4)) / static_cast<float>(each);
-            const auto found = std::upper_bound(first, last - 1, u);
-            const float chance = (*found - (found > first ? *(found - 1) : 0)) / total;
+            const auto [source, chance] =
+                sources_.choose(kLocalSources, (static_cast<float>(j) + sequence(0, 4)) / static_cast<float>(each));
             const auto c = quarter_of(node.corner, static_cast<int>(k % kQuarters));
             const Vec3 w = square_to_triangle(sequence(k, 0), sequence(k, 1));
             const Vec3 x = w.x * c[0] + w.y * c[1] + w.z * c[2];
-            const SourceRay ray = ray_to_source(hierarchy_, sources_.nodes[static_cast<std::size_t>(found - first)],
-                                                {offset_origin(x, node.normal, node.radius), node.normal},
-                                                Vec3(sequence(j, 2), sequence(j, 5), sequence(j, 3)));
+            const SourceRay ray =
+                ray_to_source(hierarchy_, source, {offset_origin(x, node.normal, node.radius), node.normal},
+                              Vec3(sequence(j, 2), sequence(j, 5), sequence(j, 3)));
             rays_[k] = ray.ray;
             light_[k] = luminance(ray.light) / (chance * static_cast<float>(each));
         }

@@ -18,14 +18,14 @@ namespace {
 
 // Multigridding: coarse links carry the light around once before finer ones are judged by it.
 constexpr float kCoarseness[] = {16, 4, 1};
-constexpr float kLinkError = 2,
-                kEdgeError = 0.5F;  // links may be wrong by more than what is asked for: faces look around in the end
+// Of what is asked for: links only have to guide, for faces look around in the end; edges of shadows are seen.
+constexpr float kLinkError = 2, kEdgeError = 0.5F;
 constexpr float kDark = 1e-3F;      // irradiance, as a share of the white
 constexpr float kLargeFace = 0.1F;  // share of the extent of light
 constexpr int kSweepsBetween = 5;
 constexpr int kSweepsAtEnd = 200;          // enough for a mean reflectance of 0.97
-constexpr double kConverged = 2e-3;        // change of the reflected power in one sweep, share of it
-constexpr double kNearlyConverged = 1e-2;  // the same, before faces look around
+constexpr double kConverged = 2e-3;        // sum of all changes of reflected power in one step, share of it
+constexpr double kNearlyConverged = 1e-2;  // change of the whole, before faces look around
 
 struct Power {
     double emitted = 0, absorbed = 0;  // W, luminance

@@ -13,6 +13,15 @@ constexpr float kHiddenSky = 0.5F;  // the same of the sky: links of whole walls
 
 }  // namespace
 
+Sources::Choice Sources::choose(std::size_t kind, float u) const {
+    const auto first = sums.begin() + static_cast<std::ptrdiff_t>(begin[kind]);
+    const auto last = sums.begin() + static_cast<std::ptrdiff_t>(begin[kind + 1]);
+    const float total = *(last - 1);
+    const auto found = std::upper_bound(first, last - 1, u * total);
+    const float chance = (*found - (found > first ? *(found - 1) : 0)) / total;
+    return {nodes[static_cast<std::size_t>(found - sums.begin())], chance};
+}
+
 SourceGuide::SourceGuide(const Hierarchy& hierarchy, std::span<const Link> links) : hierarchy_(&hierarchy) {
     begin_.assign(hierarchy.nodes().size() + 1, 0);
     const auto is_source = [&](const Link& link) { return !is_surface(hierarchy[link.sender]); };

@@ -29,6 +29,13 @@ struct Sources {
     std::array<std::size_t, kKinds + 1> begin{};  // of every kind, and the end
 
     [[nodiscard]] bool has(std::size_t kind) const { return begin[kind] < begin[kind + 1]; }
+
+    struct Choice {
+        NodeId source = kNone;
+        float chance = 0;  // of being chosen, 0..1
+    };
+    // By u in [0, 1), of a kind that has any.
+    [[nodiscard]] Choice choose(std::size_t kind, float u) const;
 };
 inline constexpr std::size_t kLocalSources = 0, kSkySources = 1;
 

@@ -12,7 +12,7 @@ std::uint32_t find_midpoint(const InstanceVertices& vertices, std::uint32_t a, s
     return found == vertices.midpoints.end() ? kNone : found->second;
 }
 
-Corners opposite_midpoints(const InstanceVertices& vertices, const Corners& c) {
+Corners find_midpoints(const InstanceVertices& vertices, const Corners& c) {
     return {find_midpoint(vertices, c[1], c[2]), find_midpoint(vertices, c[2], c[0]),
             find_midpoint(vertices, c[0], c[1])};
 }
@@ -21,6 +21,16 @@ Corners opposite_midpoints(const InstanceVertices& vertices, const Corners& c) {
 
 std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
     return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
+}
+
+Corners opposite_midpoints(InstanceVertices& vertices, std::size_t mesh_vertices, const Corners& corners) {
+    Corners opposite;
+    for (int k = 0; k < 3; ++k) {
+        const auto next = static_cast<std::uint32_t>(mesh_vertices + vertices.midpoints.size());
+        opposite[k] =
+            vertices.midpoints.try_emplace(edge_key(corners[(k + 1) % 3], corners[(k + 2) % 3]), next).first->second;
+    }
+    return opposite;
 }
 
 Corners quarter_corners(const Corners& corners, const Corners& opposite, int quarter) {
@@ -41,7 +51,7 @@ Piece whole_piece(const Corners& corners) {
 }
 
 int split_at_t_vertices(const InstanceVertices& vertices, const Piece& piece, std::array<Piece, 4>& parts) {
-    const Corners middle = opposite_midpoints(vertices, piece.vertices);
+    const Corners middle = find_midpoints(vertices, piece.vertices);
     const auto place = [&](int k) { return 0.5F * (piece.places[(k + 1) % 3] + piece.places[(k + 2) % 3]); };
     const int count = static_cast<int>(std::count_if(middle.begin(), middle.end(), [](auto m) { return m != kNone; }));
     if (count == 0) {

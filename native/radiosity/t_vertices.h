@@ -16,6 +16,9 @@ using Corners = std::array<std::uint32_t, 3>;  // vertices of InstanceVertices
 // Corners of the quarter of a triangle whose edges have midpoints opposite[k] (opposite corner k); as make_quarter.
 [[nodiscard]] Corners quarter_corners(const Corners& corners, const Corners& opposite, int quarter);
 
+// Vertices between corners k+1 and k+2, made where there are none; mesh_vertices: number of the mesh's own.
+[[nodiscard]] Corners opposite_midpoints(InstanceVertices& vertices, std::size_t mesh_vertices, const Corners& corners);
+
 // A triangle of the picture: vertices, and their places in the whole (weights of corners 1 and 2).
 struct Piece {
     Corners vertices;

@@ -20,7 +20,8 @@ class OpinionsTest : public testing::Test {
         for (NodeId id = 0; id < hierarchy_->nodes().size(); ++id) {
             const Node& node = (*hierarchy_)[id];
             if (node.kind == NodeKind::kElement && node.child_count == 0) {
-                opinions_.push_back({id, node.area, Rgb(1.0F), Rgb(1.0F), 8});
+                leaves_.push_back(id);
+                opinions_.push_back({Rgb(1.0F), Rgb(1.0F), 8});
             }
         }
     }
@@ -39,25 +40,21 @@ class OpinionsTest : public testing::Test {
     }
 
     void blend(const Trust& trust) {
-        std::vector<NodeId> leaves;
-        for (const Opinions& o : opinions_) {
-            leaves.push_back(o.element);
-        }
-        ElementOpinions(*hierarchy_, leaves).blend(opinions_, trust, prepared_->control);
+        ElementOpinions(*hierarchy_, leaves_).blend(opinions_, trust, prepared_->control);
     }
 
     [[nodiscard]] double power() const {
         double sum = 0;
-        for (const Opinions& o : opinions_) {
-            sum += o.area * luminance(o.by_rays);
+        for (std::size_t i = 0; i < opinions_.size(); ++i) {
+            sum += (*hierarchy_)[leaves_[i]].area * luminance(opinions_[i].by_rays);
         }
         return sum;
     }
 
     [[nodiscard]] double area() const {
         double sum = 0;
-        for (const Opinions& o : opinions_) {
-            sum += o.area;
+        for (const NodeId leaf : leaves_) {
+            sum += (*hierarchy_)[leaf].area;
         }
         return sum;
     }
@@ -65,7 +62,8 @@ class OpinionsTest : public testing::Test {
     SceneBuilder builder_;
     std::unique_ptr<Prepared> prepared_;
     std::unique_ptr<Hierarchy> hierarchy_;
-    std::vector<Opinions> opinions_;
+    std::vector<NodeId> leaves_;
+    std::vector<Opinions> opinions_;  // per leaf
 };
 
 TEST_F(OpinionsTest, many_rays_are_believed) {

@@ -1,6 +1,8 @@
 // Light that is pushed down and radiosity that is pulled up keep their power at every level.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <vector>
 
 #include "core/random.h"
@@ -36,6 +38,34 @@ TEST(PushPull, power_of_a_parent_is_that_of_its_children) {
     }
     EXPECT_GT(elements, 200U);
     EXPECT_GT(clusters, 20U);
+}
+
+TEST(PushPull, irradiance_that_is_set_keeps_its_course_and_reaches_the_root) {
+    Prepared prepared(mixed_scene());
+    const auto solution = std::const_pointer_cast<Solution>(prepared.solve(0.04F));
+    Lighting& lighting = solution->lighting;
+    const auto& nodes = solution->hierarchy.nodes();
+    std::size_t uneven = 0;
+    for (NodeId id = 0; id < nodes.size(); ++id) {
+        if (nodes[id].kind != NodeKind::kElement || nodes[id].child_count > 0 ||
+            !(luminance(lighting.irradiance(id)) > 1e-3F)) {
+            continue;
+        }
+        const std::array<Rgb, 3> before = lighting.corner_irradiance(id);
+        const Rgb mean = lighting.irradiance(id);
+        lighting.set_irradiance(id, 3.0F * mean);
+        for (int k = 0; k < 3; ++k) {
+            ASSERT_NEAR(lighting.corner_irradiance(id)[k].x, 3 * before[k].x, 1e-4F * mean.x);
+            uneven += std::abs(before[k].x - mean.x) > 0.01F * mean.x;
+        }
+    }
+    EXPECT_GT(uneven, 100U);
+    double arriving = 0;
+    lighting.pull(prepared.control);
+    for (const NodeId leaf : surface_leaves(*solution)) {
+        arriving += lighting.area(leaf) * luminance(lighting.irradiance(leaf));
+    }
+    EXPECT_NEAR(lighting.area(kGeometryRoot) * luminance(lighting.irradiance(kGeometryRoot)) / arriving, 1, 1e-4);
 }
 
 TEST(PushPull, intensity_of_a_cluster_is_the_sum_of_its_parts) {
