@@ -73,6 +73,18 @@ using Sequence6 = AdditiveSequence<6>;
     return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
+// The point of the unit square that square_to_disk() takes there.
+[[nodiscard]] inline Vec2 disk_to_square(Vec2 p) {
+    const float radius = length(p);
+    if (!(radius > 0)) {
+        return {0.5F, 0.5F};
+    }
+    const bool wide = std::abs(p.x) > std::abs(p.y);
+    const float large = std::copysign(radius, wide ? p.x : p.y);
+    const float small = large * (4 / kPi) * std::atan(wide ? p.y / p.x : p.x / p.y);
+    return 0.5F + 0.5F * (wide ? Vec2(large, small) : Vec2(small, large));
+}
+
 // Direction of the hemisphere around +z from the unit square, its density the cosine over pi: a disk point lifted up.
 [[nodiscard]] inline Vec3 square_to_cosine_hemisphere(float u, float v) {
     const Vec2 disk = square_to_disk(u, v);

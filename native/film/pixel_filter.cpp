@@ -36,16 +36,29 @@ std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
     return reverse_bits(x);
 }
 
+// Full support over the width that Cycles' users set.
+float support_in_widths(FilterType type) {
+    switch (type) {
+        case FilterType::kBlackmanHarris:
+            return 2;
+        case FilterType::kGauss:
+            return 3;
+        case FilterType::kBox:
+            return 1;
+    }
+    return 1;
+}
+
 float to_unit(std::uint32_t bits) {
     return static_cast<float>(bits >> 8) * 0x1p-24F;
 }
 
 }  // namespace
 
-PixelFilter::PixelFilter(FilterType type, float width) : type_(type), width_(width) {
+PixelFilter::PixelFilter(FilterType type, float width) : type_(type), support_(width * support_in_widths(type)) {
     constexpr int kSteps = 8 * kTable;
     std::vector<double> cumulative(kSteps + 1, 0.0);
-    const auto place = [&](double step) { return width_ * static_cast<float>(step / kSteps - 0.5); };
+    const auto place = [&](double step) { return support_ * static_cast<float>(step / kSteps - 0.5); };
     for (int step = 0; step < kSteps; ++step) {
         cumulative[step + 1] = cumulative[step] + static_cast<double>(weight(place(step + 0.5)));
     }
@@ -61,17 +74,17 @@ PixelFilter::PixelFilter(FilterType type, float width) : type_(type), width_(wid
 }
 
 float PixelFilter::weight(float x) const {
-    if (std::abs(x) > 0.5F * width_) {
+    if (std::abs(x) > 0.5F * support_) {
         return 0;
     }
     switch (type_) {
         case FilterType::kBlackmanHarris: {
-            const float phase = 2 * kPi * (x / width_ + 0.5F);
+            const float phase = 2 * kPi * (x / support_ + 0.5F);
             return 0.35875F - 0.48829F * std::cos(phase) + 0.14128F * std::cos(2 * phase) -
                    0.01168F * std::cos(3 * phase);
         }
         case FilterType::kGauss: {
-            const float scaled = 6 * x / width_;
+            const float scaled = 6 * x / support_;
             return std::exp(-2 * scaled * scaled);
         }
         case FilterType::kBox:

@@ -13,7 +13,7 @@ enum class FilterType { kBlackmanHarris, kGauss, kBox };
 // Separable, symmetric filters with Cycles' formulas, so that edges look alike.
 class PixelFilter {
   public:
-    // width > 0: the full support in pixels.
+    // width > 0, pixels, as in Cycles: the full support is 2 widths of Blackman-Harris, 3 of Gauss, 1 of the box.
     PixelFilter(FilterType type, float width);
 
     // Unnormalised weight at distance x [pixels] from the pixel's centre; 0 outside of the support.
@@ -28,7 +28,7 @@ class PixelFilter {
   private:
     static constexpr int kTable = 1024;
     FilterType type_;
-    float width_;
+    float support_;                            // full, pixels
     std::array<float, kTable + 1> inverse_{};  // sample() at even steps of u
 };
 

@@ -182,7 +182,7 @@ typedef struct gg_settings {
     uint32_t crop[4];         /* x, y, width, height in pixels from the lower left; all zero: everything */
     float quality;            /* error of an element's radiosity as a share of the reference white; 0: 0.02; 0.001..1 */
     uint32_t samples;         /* coverage samples a pixel, 1..256; 0: 16 */
-    float filter_width;       /* pixels, 0: 1.5 */
+    float filter_width;       /* as Cycles' setting, pixels; 0: 1.5 */
     int32_t filter_type;      /* 0 Blackman-Harris, 1 Gauss, 2 box */
     float exposure;           /* factor on every pixel, 0: 1 */
     int32_t film_transparent; /* 1: the world behind is alpha 0 */

@@ -14,7 +14,9 @@ constexpr float kCovered = 0.1F;  // exposure
 // Of a group, as shares of the rays of one of the size of a detail; small ones have many neighbours.
 constexpr float kLeastShare = 0.25F, kMostShare = 64;
 constexpr float kLeastRays = 2;
-constexpr float kLeastElementRays = 8, kMostElementRays = 512;
+constexpr float kLeastElementRays = 4, kMostElementRays = 512;
+// Share of the rays of an element of the size of a detail that one so long has, however thin it is.
+constexpr float kThin = 0.25F;
 constexpr float kMoreWithSky = 2;      // few rays find windows, and the patches of sunlight behind them
 constexpr float kDetail = 1.0F / 200;  // size of a place, as a share of the scene's, from which all rays start
 
@@ -139,7 +141,7 @@ void GatheredLight::list_shares(const Control& control) {
     }
 }
 
-void GatheredLight::list_elements(const Lighting& lighting, int rays, float dark) {
+void GatheredLight::list_elements(const Lighting& lighting, int rays) {
     first_element_ = places_.size();
     place_of_element_.assign(hierarchy_->nodes().size(), kNone);
     std::vector<NodeId> leaves;
@@ -153,8 +155,8 @@ void GatheredLight::list_elements(const Lighting& lighting, int rays, float dark
     radiosity_.reserve(places_.size() + leaves.size());
     for (const NodeId id : leaves) {
         const Node& node = (*hierarchy_)[id];
-        const bool is_dark = luminance(lighting.irradiance(id)) < dark;
-        const float share = is_dark ? 0.0F : node.area / (detail() * detail());
+        const float length = kThin * 2 * node.radius / detail();
+        const float share = std::max(length, node.area / (detail() * detail()));
         const auto count = static_cast<std::uint32_t>(
             more * std::clamp(static_cast<float>(rays) * share, kLeastElementRays, kMostElementRays));
         place_of_element_[id] = static_cast<std::uint32_t>(places_.size());

@@ -16,7 +16,6 @@ namespace gg {
 namespace {
 
 constexpr std::uint32_t kRaysPerShadowRay = 2;  // of groups
-constexpr float kHalf = 0.5F;  // of the sky by either kind of rays: each fails where the other does not
 constexpr std::uint32_t kProbes = 3;
 constexpr std::uint64_t kProbeSeed = 0x70726f62, kShadowSeed = 0x73686164;  // no place of a ray may go with its target
 
@@ -188,19 +187,55 @@ class GatheredLight::Block {
         const Place& place = owner_.places_[i];
         const Sequence6 sequence(hash64(seed_of(place), kShadowSeed + kind));
         const float shift = sequence(0, 4);
-        const std::uint32_t count = std::max(1U, place.element == kNone ? place.rays / kRaysPerShadowRay : place.rays);
+        const std::uint32_t count = source_ray_count(place);
         for (std::uint32_t k = 0; k < count; ++k) {
             const auto [source, chance] =
                 sources_.choose(kind, (static_cast<float>(k) + shift) / static_cast<float>(count));
-            const float share = (kind == kSkySources ? kHalf : 1.0F) / (chance * static_cast<float>(count));
             const OffsetPoint& x = points_[open_points_[scattered(k, count) * open_points_.size() / count]];
             const Vec3 sample(sequence(k, 0), sequence(k, 5), sequence(k, 3));
             const SourceRay ray = ray_to_source(*owner_.hierarchy_, source, x, sample);
             if (luminance(ray.light) > 0) {
+                const float rays = chance * static_cast<float>(count);  // expected to the source
+                const float share = kind == kSkySources
+                                        ? 1 / (rays + rays_of_hemisphere(place, x.normal, ray.ray.direction,
+                                                                         (*owner_.hierarchy_)[source].area))
+                                        : 1 / rays;
                 shadow_rays_.push_back(ray.ray);
                 shadows_.push_back({i, share * ray.light});
             }
         }
+    }
+
+    // The sky is found by rays of either kind, each where the other is not likely to: what one brings is shared out by
+    // how many of both go there [Veach and Guibas 1995].
+
+    // Rays of the hemisphere that would go into so much solid angle there.
+    static float rays_of_hemisphere(const Place& place, Vec3 normal, Vec3 direction, float solid_angle) {
+        return static_cast<float>(place.rays) * std::max(0.0F, dot(normal, direction)) / kPi * solid_angle;
+    }
+
+    // What counts of the sky that a ray of the hemisphere meets, 0..1.
+    float share_of_hemisphere(const Place& place, Vec3 normal, Vec3 direction) const {
+        if (!sources_.has(kSkySources)) {
+            return 1;
+        }
+        const Sources::Choice cell = sky_source_at(direction);
+        if (cell.source == kNone) {
+            return 1;
+        }
+        const float guided = cell.chance * static_cast<float>(source_ray_count(place));
+        const float own = rays_of_hemisphere(place, normal, direction, (*owner_.hierarchy_)[cell.source].area);
+        return own / std::max(own + guided, 1e-30F);
+    }
+
+    static std::uint32_t source_ray_count(const Place& place) {
+        return std::max(1U, place.element == kNone ? place.rays / kRaysPerShadowRay : place.rays);
+    }
+
+    Sources::Choice sky_source_at(Vec3 direction) const {
+        const SkyCell finest = finest_cell_at(direction);
+        return sources_.find(
+            kSkySources, [&](NodeId source) { return contains(sky_cell_of((*owner_.hierarchy_)[source]), finest); });
     }
 
     // A permutation of 0..count-1, so that neighbouring shares of the sources go to points all over the place.
@@ -216,13 +251,13 @@ class GatheredLight::Block {
     void arrive(std::size_t i) {
         const Place& place = owner_.places_[i];
         const float share = 1 / static_cast<float>(place.rays);
-        const bool sky_by_shadow_rays = sources_.has(kSkySources);
         Rgb& emitted = owner_.emitted_[i];
         std::size_t slot = place.first_ray;
         for (const std::size_t k : open_points_) {
             const Hit& hit = hits_[k];
             if (hit.missed()) {
-                emitted += (sky_by_shadow_rays ? kHalf : 1.0F) * share * kPi * scene_.world;
+                emitted +=
+                    share_of_hemisphere(place, points_[k].normal, rays_[k].direction) * share * kPi * scene_.world;
             } else {
                 owner_.hits_[slot] = place_at(rays_[k], hit, share, emitted);
             }

@@ -20,10 +20,10 @@ constexpr Trust kReflected{1, 0.5F, 1.3F};  // fixed: where few rays miss what i
 
 GatheredLight::GatheredLight(const Hierarchy& hierarchy, const ElementTable& elements, const SourceGuide& guide,
                              const Lighting& lighting, std::span<const Rgb> emitted_by_links, const RayTracer& tracer,
-                             int rays, float dark, const Control& control)
+                             int rays, const Control& control)
     : hierarchy_(&hierarchy), guide_(&guide) {
     find_groups(lighting, rays, control);
-    list_elements(lighting, rays, dark);
+    list_elements(lighting, rays);
     for (std::size_t i = 1; i < places_.size(); ++i) {
         places_[i].first_ray = places_[i - 1].first_ray + places_[i - 1].rays;
     }

@@ -24,11 +24,11 @@ class GatheredLight {
 
     // Traces all rays: about `rays` from a place of the size of a detail, and shadow rays to what the guide lists.
     // Places begin with what links, as `lighting` has gathered them, tell; emitted_by_links [W/m2], per node: so much
-    // of it comes from lamps, sky and glowing surfaces. Elements with less than `dark` [W/m2] get few rays. The
-    // hierarchy must outlive this, unchanged; the guide until finish().
+    // of it comes from lamps, sky and glowing surfaces. The hierarchy must outlive this, unchanged; the guide until
+    // finish().
     GatheredLight(const Hierarchy& hierarchy, const ElementTable& elements, const SourceGuide& guide,
                   const Lighting& lighting, std::span<const Rgb> emitted_by_links, const RayTracer& tracer, int rays,
-                  float dark, const Control& control);
+                  const Control& control);
 
     // Lets light come to rest between the places. Returns the number of iterations.
     int settle(int most, double converged, const Control& control);
@@ -75,7 +75,7 @@ class GatheredLight {
     void find_groups(const Lighting& lighting, int rays, const Control& control);
     void list_groups(std::uint32_t instance, const InstanceParts& parts, const Lighting& lighting, int rays,
                      std::vector<Place>& out);
-    void list_elements(const Lighting& lighting, int rays, float dark);
+    void list_elements(const Lighting& lighting, int rays);
     [[nodiscard]] float detail() const;
     void list_shares(const Control& control);
     static void merge_shares(std::vector<Share>& list);

@@ -61,27 +61,48 @@ class Balancer {
     InstanceVertices vertices_;
 };
 
+bool has_divided(const Hierarchy& hierarchy, const std::vector<NodeId>& roots) {
+    return std::any_of(roots.begin(), roots.end(), [&](NodeId root) { return hierarchy[root].child_count > 0; });
+}
+
+std::vector<NodeId> coarse_elements(const Hierarchy& hierarchy, std::uint32_t instance,
+                                    const std::vector<NodeId>& roots) {
+    const Scene& scene = hierarchy.scene();
+    Balancer balancer(hierarchy, scene.meshes[scene.instances[instance].mesh]);
+    std::vector<NodeId> found;
+    balancer.find_midpoints(roots);
+    balancer.list_coarse(roots, found);
+    return found;
+}
+
 }  // namespace
 
 void balance_elements(Hierarchy& hierarchy, Lighting& lighting, const Control& control) {
     constexpr int kMostRounds = 16;
-    for (int round = 0; round < kMostRounds; ++round) {
-        const auto parts = parts_of_instances(hierarchy);
-        std::vector<NodeId> coarse = parallel_collect<NodeId>(
-            parts.size(), 1, control, [&](std::size_t begin, std::size_t end, std::vector<NodeId>& out) {
-                for (std::size_t i = begin; i < end; ++i) {
-                    const Scene& scene = hierarchy.scene();
-                    Balancer balancer(hierarchy, scene.meshes[scene.instances[i].mesh]);
-                    balancer.find_midpoints(parts[i].element_roots);
-                    balancer.list_coarse(parts[i].element_roots, out);
-                }
-            });
-        if (coarse.empty()) {
-            return;
+    const auto parts = parts_of_instances(hierarchy);
+    std::vector<std::uint32_t> uneven;  // instances
+    for (std::uint32_t i = 0; i < parts.size(); ++i) {
+        if (has_divided(hierarchy, parts[i].element_roots)) {
+            uneven.push_back(i);
         }
-        std::sort(coarse.begin(), coarse.end());
-        hierarchy.open(coarse, control);
+    }
+    for (int round = 0; round < kMostRounds && !uneven.empty(); ++round) {
+        std::vector<std::vector<NodeId>> coarse(uneven.size());
+        parallel_for(uneven.size(), 1, control, [&](std::size_t k) {
+            coarse[k] = coarse_elements(hierarchy, uneven[k], parts[uneven[k]].element_roots);
+        });
+        std::vector<NodeId> opened;
+        std::vector<std::uint32_t> still_uneven;
+        for (std::size_t k = 0; k < uneven.size(); ++k) {
+            if (!coarse[k].empty()) {
+                still_uneven.push_back(uneven[k]);
+                opened.insert(opened.end(), coarse[k].begin(), coarse[k].end());
+            }
+        }
+        std::sort(opened.begin(), opened.end());
+        hierarchy.open(opened, control);
         lighting.grow(control);
+        uneven = std::move(still_uneven);
     }
 }
 

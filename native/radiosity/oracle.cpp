@@ -39,10 +39,14 @@ float size_in_details(float radius, const RefineSettings& settings) {
     return 2 * radius / std::max(kDetail * settings.white.extent, 1e-12F);
 }
 
-float allowed_error(const Node& receiver, float irradiance, const RefineSettings& settings) {
+float allowed_difference(float irradiance, const RefineSettings& settings) {
     const float white = settings.white.irradiance;
+    return settings.tolerance * std::sqrt(white * std::max(irradiance, kDarkest * white));
+}
+
+float allowed_error(const Node& receiver, float irradiance, const RefineSettings& settings) {
     const float small = small_size(receiver.radius, settings);
-    return settings.tolerance * std::sqrt(white * std::max(irradiance, kDarkest * white)) * small * small;
+    return allowed_difference(irradiance, settings) * small * small;
 }
 
 float seen_reflectance(const Node& node) {

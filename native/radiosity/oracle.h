@@ -19,8 +19,11 @@ struct Decision {
 // Diameter over that of a detail. The light of larger receivers counts in full.
 [[nodiscard]] float size_in_details(float radius, const RefineSettings& settings);
 
-// Error that may be made in the radiosity of a receiver [W/m2]: an equal step in the square root of irradiance, which
-// is about an equal step in display code, so that dim rooms are solved as well as bright ones.
+// Difference of radiosity that may go unnoticed [W/m2]: an equal step in the square root of irradiance, which is about
+// an equal step in display code, so that dim rooms are solved as well as bright ones.
+[[nodiscard]] float allowed_difference(float irradiance, const RefineSettings& settings);
+
+// Error that may be made in the radiosity of a receiver [W/m2]: more where it is small.
 [[nodiscard]] float allowed_error(const Node& receiver, float irradiance, const RefineSettings& settings);
 
 // The square root of reflectance for the same reason: a dark surface is compared with itself.

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <vector>
 
-#include "core/parallel.h"
 #include "core/random.h"
+#include "radiosity/open_elements.h"
 #include "radiosity/oracle.h"
 #include "radiosity/quarter.h"
 #include "radiosity/source_rays.h"
@@ -19,7 +20,6 @@ namespace {
 constexpr float kLeastRays = 16, kMostRays = 1024;
 constexpr float kRaysPerDetail = 64;  // of an element of the size of a detail, see size_in_details()
 constexpr std::uint64_t kSeed = 0x65646765;
-constexpr int kMostRounds = 8;
 
 // Looks at elements, one after the other.
 class EdgeFinder {
@@ -96,42 +96,21 @@ class EdgeFinder {
 
 void split_at_shadow_edges(Hierarchy& hierarchy, Lighting& lighting, const SourceGuide& guide, const RayTracer& tracer,
                            const RefineSettings& settings, const Control& control) {
-    NodeId begin = 0;
-    for (int round = 0; round < kMostRounds; ++round) {
-        std::vector<NodeId> candidates;
-        for (NodeId id = begin; id < hierarchy.nodes().size(); ++id) {
+    const auto make_test = [&]() -> ElementTest {
+        const auto finder = std::make_shared<EdgeFinder>(hierarchy, guide, tracer);
+        return [&, finder](NodeId id) {
             const Node& node = hierarchy[id];
-            if (node.kind == NodeKind::kElement && node.child_count == 0 && can_split(node, settings) &&
-                node.weight > 0) {
-                candidates.push_back(id);
-            }
-        }
-        std::vector<std::uint8_t> uneven(candidates.size());
-        parallel_blocks(candidates.size(), 64, control, [&](std::size_t first, std::size_t end) {
-            EdgeFinder finder(hierarchy, guide, tracer);
-            for (std::size_t i = first; i < end; ++i) {
-                const Node& node = hierarchy[candidates[i]];
-                const float size = size_in_details(node.radius, settings);
-                const auto rays = static_cast<std::uint32_t>(
-                    std::clamp(kRaysPerDetail * std::max(size, size * size), kLeastRays, kMostRays));
-                const float difference = finder.unevenness(candidates[i], rays / kQuarters * kQuarters);
-                const float irradiance = std::max(luminance(lighting.irradiance(candidates[i])), difference);
-                uneven[i] = seen_reflectance(node) * difference > allowed_error(node, irradiance, settings);
-            }
-        });
-        std::vector<NodeId> opened;
-        for (std::size_t i = 0; i < candidates.size(); ++i) {
-            if (uneven[i]) {
-                opened.push_back(candidates[i]);
-            }
-        }
-        if (opened.empty()) {
-            return;
-        }
-        begin = static_cast<NodeId>(hierarchy.nodes().size());
-        hierarchy.open(opened, control);
-        lighting.grow(control);
-    }
+            const float size = size_in_details(node.radius, settings);
+            const auto rays = static_cast<std::uint32_t>(
+                std::clamp(kRaysPerDetail * std::max(size, size * size), kLeastRays, kMostRays));
+            const float difference = finder->unevenness(id, rays / kQuarters * kQuarters);
+            const float irradiance = std::max(luminance(lighting.irradiance(id)), difference);
+            // An edge is as long as an element, not as large.
+            return seen_reflectance(node) * std::min(size, 1.0F) * difference >
+                   allowed_difference(irradiance, settings);
+        };
+    };
+    open_elements(hierarchy, lighting, settings, make_test, control);
 }
 
 }  // namespace gg

@@ -8,6 +8,7 @@
 #include "radiosity/large_faces.h"
 #include "radiosity/mesh_balance.h"
 #include "radiosity/refine.h"
+#include "radiosity/separators.h"
 #include "radiosity/shadow_edges.h"
 #include "radiosity/solution_data.h"
 #include "radiosity/source_guide.h"
@@ -19,8 +20,7 @@ namespace {
 // Multigridding: coarse links carry the light around once before finer ones are judged by it.
 constexpr float kCoarseness[] = {16, 4, 1};
 // Of what is asked for: links only have to guide, for faces look around in the end; edges of shadows are seen.
-constexpr float kLinkError = 2, kEdgeError = 0.5F;
-constexpr float kDark = 1e-3F;      // irradiance, as a share of the white
+constexpr float kLinkError = 2, kEdgeError = 0.5F, kSeparatorError = 1;
 constexpr float kLargeFace = 0.1F;  // share of the extent of light
 constexpr int kSweepsBetween = 5;
 constexpr int kSweepsAtEnd = 200;          // enough for a mean reflectance of 0.97
@@ -104,7 +104,7 @@ int look_around(Solution& solution, const SourceGuide& guide, std::span<const Rg
     solution.elements = find_elements(solution.hierarchy);
     GatheredLight& light = solution.face_light;
     light = GatheredLight(solution.hierarchy, solution.elements, guide, solution.lighting, emitted_by_links, tracer,
-                          rays, kDark * solution.white.irradiance, control);
+                          rays, control);
     const int iterations = light.settle(kSweepsAtEnd, kConverged, control);
     light.tell(solution.lighting, control);
     light.finish();
@@ -135,8 +135,10 @@ std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& c
             if (coarseness <= 1) {
                 guide = SourceGuide(solution->hierarchy, solution->links.all);
                 open_large_faces(solution->hierarchy, solution->lighting, kLargeFace * solution->white.extent, control);
-                split_at_shadow_edges(solution->hierarchy, solution->lighting, guide, tracer,
-                                      {kEdgeError * settings.quality, solution->white}, control);
+                const RefineSettings edges{kEdgeError * settings.quality, solution->white};
+                split_at_shadow_edges(solution->hierarchy, solution->lighting, guide, tracer, edges, control);
+                split_at_separators(solution->hierarchy, solution->lighting, tracer,
+                                    {kSeparatorError * settings.quality, solution->white}, control);
                 balance_elements(solution->hierarchy, solution->lighting, control);
             }
         }

@@ -16,10 +16,9 @@ constexpr float kHiddenSky = 0.5F;  // the same of the sky: links of whole walls
 Sources::Choice Sources::choose(std::size_t kind, float u) const {
     const auto first = sums.begin() + static_cast<std::ptrdiff_t>(begin[kind]);
     const auto last = sums.begin() + static_cast<std::ptrdiff_t>(begin[kind + 1]);
-    const float total = *(last - 1);
-    const auto found = std::upper_bound(first, last - 1, u * total);
-    const float chance = (*found - (found > first ? *(found - 1) : 0)) / total;
-    return {nodes[static_cast<std::size_t>(found - sums.begin())], chance};
+    const auto found = std::upper_bound(first, last - 1, u * *(last - 1));
+    const auto i = static_cast<std::size_t>(found - sums.begin());
+    return {nodes[i], chance(kind, i)};
 }
 
 SourceGuide::SourceGuide(const Hierarchy& hierarchy, std::span<const Link> links) : hierarchy_(&hierarchy) {

@@ -36,6 +36,21 @@ struct Sources {
     };
     // By u in [0, 1), of a kind that has any.
     [[nodiscard]] Choice choose(std::size_t kind, float u) const;
+    // The first of a kind for which is_it(node) holds; kNone if it does for none.
+    template <typename Test>
+    [[nodiscard]] Choice find(std::size_t kind, const Test& is_it) const {
+        for (std::size_t i = begin[kind]; i < begin[kind + 1]; ++i) {
+            if (is_it(nodes[i])) {
+                return {nodes[i], chance(kind, i)};
+            }
+        }
+        return {};
+    }
+
+  private:
+    [[nodiscard]] float chance(std::size_t kind, std::size_t i) const {
+        return (sums[i] - (i > begin[kind] ? sums[i - 1] : 0)) / sums[begin[kind + 1] - 1];
+    }
 };
 inline constexpr std::size_t kLocalSources = 0, kSkySources = 1;
 

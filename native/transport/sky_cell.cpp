@@ -1,5 +1,7 @@
 #include "transport/sky_cell.h"
 
+#include <algorithm>
+
 #include "core/random.h"
 
 namespace gg {
@@ -33,6 +35,22 @@ Vec3 cell_direction(SkyCell cell, float u, float v) {
         direction.z = -direction.z;
     }
     return direction;
+}
+
+SkyCell finest_cell_at(Vec3 direction) {
+    constexpr int kCells = 1 << kFinestSkyLevel;
+    const float up = std::abs(direction.z);
+    const float stretch = std::sqrt(1 + std::min(up, 1.0F));  // sqrt(2 - squared) of square_to_hemisphere()
+    const Vec2 place = disk_to_square(Vec2(direction) / stretch);
+    const auto index = [](float x) {
+        return static_cast<std::uint16_t>(std::clamp(static_cast<int>(x * kCells), 0, kCells - 1));
+    };
+    return {kFinestSkyLevel, static_cast<std::uint8_t>(direction.z < 0 ? 1 : 0), index(place.x), index(place.y)};
+}
+
+bool contains(SkyCell cell, SkyCell part) {
+    const int finer = part.level - cell.level;
+    return finer >= 0 && part.face == cell.face && part.i >> finer == cell.i && part.j >> finer == cell.j;
 }
 
 float cell_solid_angle(SkyCell cell) {

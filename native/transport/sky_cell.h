@@ -12,9 +12,11 @@
 
 namespace gg {
 
+inline constexpr int kFinestSkyLevel = 15;
+
 // Cell (i, j) of the 2^level x 2^level cells of a face.
 struct SkyCell {
-    std::uint8_t level = 0;  // 0..15
+    std::uint8_t level = 0;  // 0..kFinestSkyLevel
     std::uint8_t face = 0;   // 0, 1
     std::uint16_t i = 0, j = 0;
 
@@ -31,6 +33,12 @@ struct SkyCell {
 
 // Unit direction of (u, v) in [0, 1]^2 of the cell, uniform in solid angle; (0.5, 0.5) is its middle.
 [[nodiscard]] Vec3 cell_direction(SkyCell cell, float u, float v);
+
+// The cell of the finest level that a unit direction is in.
+[[nodiscard]] SkyCell finest_cell_at(Vec3 direction);
+
+// Whether `part` is the cell or one of its descendants.
+[[nodiscard]] bool contains(SkyCell cell, SkyCell part);
 
 // [sr]
 [[nodiscard]] float cell_solid_angle(SkyCell cell);

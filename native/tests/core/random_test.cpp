@@ -86,6 +86,19 @@ TEST(Random, disk_map_keeps_area) {
     EXPECT_NEAR(inner / double(kSide * kSide), 0.25, 0.005);
 }
 
+TEST(Random, disk_to_square_inverts_the_disk_map) {
+    constexpr int kSide = 40;
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x) {
+            const Vec2 place{(static_cast<float>(x) + 0.5F) / kSide, (static_cast<float>(y) + 0.25F) / kSide};
+            const Vec2 back = disk_to_square(square_to_disk(place.x, place.y));
+            EXPECT_NEAR(back.x, place.x, 1e-6F);
+            EXPECT_NEAR(back.y, place.y, 1e-6F);
+        }
+    }
+    EXPECT_EQ(disk_to_square({0, 0}), Vec2(0.5F));
+}
+
 TEST(Random, triangle_weights_are_positive_sum_to_one_and_average_to_a_third) {
     Vec3d mean(0);
     constexpr int kSide = 100;

@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "support/law_scenes.h"
 #include "support/meshes.h"
 #include "transport/emitter_sampling.h"
+#include "transport/form_factor.h"
 
 namespace gg::test {
 namespace {
@@ -63,6 +66,47 @@ TEST(GatheredLight, sphere_below_a_sun_has_the_cosine) {
         }
     });
     EXPECT_GT(count, 100);
+}
+
+// A room of 4 x 4 x 2.5 m with a grey floor and a hole of 80 cm in its black ceiling, below an even sky.
+SceneDescription room_with_a_skylight() {
+    SceneBuilder builder;
+    const auto black = builder.material(Rgb(0.0F));
+    builder.quad({-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}, builder.material(Rgb(0.5F)), "floor");
+    builder.solid({-2.1F, -2, -0.1F}, {-2, 2, 2.6F}, black, "wall");
+    builder.solid({2, -2, -0.1F}, {2.1F, 2, 2.6F}, black, "wall");
+    builder.solid({-2.1F, -2.1F, -0.1F}, {2.1F, -2, 2.6F}, black, "wall");
+    builder.solid({-2.1F, 2, -0.1F}, {2.1F, 2.1F, 2.6F}, black, "wall");
+    constexpr float a = 0.8F, b = 1.6F;
+    builder.quad({-2, -2, 2.5F}, {-2, 2, 2.5F}, {a, 2, 2.5F}, {a, -2, 2.5F}, black, "ceiling");
+    builder.quad({b, -2, 2.5F}, {b, 2, 2.5F}, {2, 2, 2.5F}, {2, -2, 2.5F}, black, "ceiling");
+    builder.quad({a, -2, 2.5F}, {a, a, 2.5F}, {b, a, 2.5F}, {b, -2, 2.5F}, black, "ceiling");
+    builder.quad({a, b, 2.5F}, {a, 2, 2.5F}, {b, 2, 2.5F}, {b, b, 2.5F}, black, "ceiling");
+    builder.description.world = Rgb(1.0F);
+    return builder.description;
+}
+
+// The window is between 0.5 and 3 % of the hemisphere.
+TEST(GatheredLight, sky_through_a_small_window_has_its_form_factor) {
+    Prepared prepared(room_with_a_skylight());
+    const auto solution = prepared.solve(0.005F);
+    const std::array<Vec3, 4> window{
+        Vec3{0.8F, 0.8F, 2.5F}, {0.8F, 1.6F, 2.5F}, {1.6F, 1.6F, 2.5F}, {1.6F, 0.8F, 2.5F}};
+    double exact = 0, found = 0, squares = 0, area = 0;
+    for (NodeId id = 0; id < solution->hierarchy.nodes().size(); ++id) {
+        const Node& node = solution->hierarchy[id];
+        if (node.kind == NodeKind::kElement && node.child_count == 0 && node.instance == 0 && !node.back &&
+            node.weight == 1) {
+            const float e = kPi * std::abs(vector_form_factor(node.center, std::span<const Vec3>(window)).z);
+            const float ours = luminance(solution->lighting.irradiance(id));
+            exact += node.area * e;
+            found += node.area * ours;
+            squares += node.area * (ours - e) * (ours - e);
+            area += node.area;
+        }
+    }
+    EXPECT_NEAR(found / exact, 1, 0.02);
+    EXPECT_LT(std::sqrt(squares / area) / (exact / area), 0.16);
 }
 
 }  // namespace

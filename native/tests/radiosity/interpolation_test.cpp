@@ -54,7 +54,7 @@ TEST_F(Interpolation, has_something_to_show) {
 
 // Values of a piecewise linear function are bounded by its steepest piece: halving the step halves the largest jump.
 TEST_F(Interpolation, jumps_shrink_with_the_step) {
-    constexpr int kSteps = 10000;
+    constexpr int kSteps = 100000;
     for (std::uint32_t walk = 0; walk < 4; ++walk) {
         const Sequence4 sequence(walk);
         const Vec2 from(sequence(0, 0), sequence(0, 1)), to(sequence(0, 2), sequence(0, 3));

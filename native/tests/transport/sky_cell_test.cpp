@@ -107,5 +107,25 @@ TEST(sky_cell, sphere_samples_have_the_moments_of_the_uniform_sphere) {
     EXPECT_NEAR(mixed / count, 0, 1e-5);
 }
 
+TEST(sky_cell, a_direction_is_in_the_cell_that_it_came_from) {
+    for (const SkyCell cell : cells_of(3)) {
+        for (const Vec2 place : {Vec2(0.02F, 0.9F), Vec2(0.5F, 0.5F), Vec2(0.97F, 0.04F)}) {
+            const SkyCell finest = finest_cell_at(cell_direction(cell, place.x, place.y));
+            for (const SkyCell other : cells_of(3)) {
+                EXPECT_EQ(contains(other, finest), other == cell);
+            }
+        }
+    }
+}
+
+TEST(sky_cell, a_cell_contains_its_descendants_and_no_ancestor) {
+    const SkyCell cell{2, 1, 3, 0};
+    const SkyCell part = children(children(cell)[1])[2];
+    EXPECT_TRUE(contains(cell, cell));
+    EXPECT_TRUE(contains(cell, part));
+    EXPECT_FALSE(contains(part, cell));
+    EXPECT_FALSE(contains({2, 0, 3, 0}, part));
+}
+
 }  // namespace
 }  // namespace gg
