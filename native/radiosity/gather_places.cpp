@@ -14,7 +14,7 @@ constexpr float kCovered = 0.1F;  // exposure
 // Of a group, as shares of the rays of one of the size of a detail; small ones have many neighbours.
 constexpr float kLeastShare = 0.25F, kMostShare = 64;
 constexpr float kLeastRays = 2;
-constexpr float kLeastElementRays = 4, kMostElementRays = 512;
+constexpr float kLeastElementRays = 6, kMostElementRays = 512;
 // Share of the rays of an element of the size of a detail that one so long has, however thin it is.
 constexpr float kThin = 0.25F;
 constexpr float kMoreWithSky = 2;      // few rays find windows, and the patches of sunlight behind them

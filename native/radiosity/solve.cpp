@@ -20,7 +20,7 @@ namespace {
 // Multigridding: coarse links carry the light around once before finer ones are judged by it.
 constexpr float kCoarseness[] = {16, 4, 1};
 // Of what is asked for: links only have to guide, for faces look around in the end; edges of shadows are seen.
-constexpr float kLinkError = 2, kEdgeError = 0.5F, kSeparatorError = 1;
+constexpr float kLinkError = 2, kEdgeError = 0.5F, kSeparatorError = 1.5F;
 constexpr float kLargeFace = 0.1F;  // share of the extent of light
 constexpr int kSweepsBetween = 5;
 constexpr int kSweepsAtEnd = 200;          // enough for a mean reflectance of 0.97
