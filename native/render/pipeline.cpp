@@ -25,11 +25,10 @@ void render(SceneCache& cache, const RenderSettings& settings, Film& film, Contr
         const View view{prepared->scene,
                         *prepared->tracer,
                         *prepared->colors,
-                        irradiance_at,
                         PixelCamera(settings.camera, settings.width, settings.height),
                         PixelFilter(settings.filter_type, settings.filter_width),
                         settings.view};
-        const ViewCounts counts = render_view(view, film, control);
+        const ViewCounts counts = render_view(view, irradiance_at, film, control);
         statistics.set_count("coverage samples", static_cast<double>(counts.samples));
         statistics.set_count("dropped samples", static_cast<double>(counts.dropped));
     });

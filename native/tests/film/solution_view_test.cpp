@@ -71,13 +71,12 @@ class SolutionViewTest : public ::testing::Test {
         const View view{scene,
                         tracer,
                         colors,
-                        irradiance_at,
                         PixelCamera(camera, kWidth, kHeight),
                         PixelFilter(FilterType::kBlackmanHarris, 1.5F),
                         settings};
         Film film(settings.crop.width, settings.crop.height);
         Picture picture;
-        picture.counts = render_view(view, film, control_);
+        picture.counts = render_view(view, irradiance_at, film, control_);
         picture.pixels.resize(settings.crop.width * settings.crop.height);
         film.read({0, 0, settings.crop.width, settings.crop.height}, picture.pixels);
         return picture;
