@@ -27,7 +27,11 @@ class GridgatherSettings(bpy.types.PropertyGroup):
     )
     method: EnumProperty(
         name="Method",
-        items=(("SOLUTION", "Radiosity Solution", "Show the interpolated radiosity solution"),),
+        items=(
+            ("GATHER", "Final Gather", "Work out light anew where it changes, and interpolate it elsewhere"),
+            ("SOLUTION", "Radiosity Solution", "Show the interpolated radiosity solution"),
+            ("FULL", "Full Gather", "Work out all light anew at every point: slow, for comparisons"),
+        ),
         default="SOLUTION",
         description="How the picture is made from the radiosity solution",
     )

@@ -65,7 +65,7 @@ RenderSettings convert_settings(const gg_camera* camera, const gg_settings& sett
     if (camera == nullptr) {
         throw Error(GG_INVALID_SCENE, "there is no camera");
     }
-    require(settings.method == GG_METHOD_SOLUTION, "unknown method");
+    require(settings.method >= GG_METHOD_GATHER && settings.method <= GG_METHOD_FULL, "unknown method");
     require(settings.width >= 1 && settings.width <= kLargestPicture, "width is out of range");
     require(settings.height >= 1 && settings.height <= kLargestPicture, "height is out of range");
     require(settings.samples <= 256, "samples are out of range");
@@ -73,6 +73,7 @@ RenderSettings convert_settings(const gg_camera* camera, const gg_settings& sett
     require(settings.threads >= 0 && settings.threads <= 4096, "threads are out of range");
 
     RenderSettings result;
+    result.method = static_cast<Method>(settings.method);
     result.camera = convert_camera(*camera);
     result.width = settings.width;
     result.height = settings.height;

@@ -173,7 +173,8 @@ typedef struct gg_camera {
     float clip_start, clip_end; /* m along the view direction, 0 <= start < end */
 } gg_camera;
 
-typedef enum gg_method { GG_METHOD_SOLUTION = 1 } gg_method;
+/* GATHER: final gather; SOLUTION: the interpolated radiosity solution; FULL: every sender anew at every point, slow. */
+typedef enum gg_method { GG_METHOD_GATHER = 0, GG_METHOD_SOLUTION = 1, GG_METHOD_FULL = 2 } gg_method;
 
 /* A render's numbers. Required: width, height, method. */
 typedef struct gg_settings {

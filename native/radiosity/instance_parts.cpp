@@ -40,4 +40,18 @@ ElementTable find_elements(const Hierarchy& hierarchy) {
     return elements;
 }
 
+ClusterTable find_clusters(const Hierarchy& hierarchy) {
+    const Scene& scene = hierarchy.scene();
+    const auto parts = parts_of_instances(hierarchy);
+    ClusterTable table;
+    table.clusters.resize(parts.size());
+    for (std::uint32_t i = 0; i < parts.size(); ++i) {
+        for (const NodeId leaf : parts[i].leaf_clusters) {
+            table.clusters[i].resize(scene.meshes[scene.instances[i].mesh].triangles.size(), kNone);
+            for_each_triangle_in(hierarchy, leaf, i, [&](std::uint32_t t) { table.clusters[i][t] = leaf; });
+        }
+    }
+    return table;
+}
+
 }  // namespace gg

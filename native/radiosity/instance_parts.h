@@ -28,6 +28,19 @@ struct ElementTable {
 
 [[nodiscard]] ElementTable find_elements(const Hierarchy& hierarchy);
 
+// The leaf cluster of a triangle.
+struct ClusterTable {
+    std::vector<std::vector<NodeId>> clusters;  // per instance, empty or per triangle
+
+    // kNone where the triangle has become elements.
+    [[nodiscard]] NodeId of(std::uint32_t instance, std::uint32_t triangle) const {
+        const std::vector<NodeId>& table = clusters[instance];
+        return table.empty() ? kNone : table[triangle];
+    }
+};
+
+[[nodiscard]] ClusterTable find_clusters(const Hierarchy& hierarchy);
+
 // body(triangle) for every triangle of the instance in one of its leaf clusters.
 template <typename Body>
 void for_each_triangle_in(const Hierarchy& hierarchy, NodeId leaf_cluster, std::uint32_t instance, const Body& body) {

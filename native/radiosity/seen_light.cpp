@@ -3,17 +3,10 @@
 namespace gg {
 
 SeenLight::SeenLight(const Hierarchy& hierarchy, const Lighting& lighting)
-    : hierarchy_(&hierarchy), lighting_(&lighting), elements_(find_elements(hierarchy)) {
-    const Scene& scene = hierarchy.scene();
-    const auto parts = parts_of_instances(hierarchy);
-    clusters_.resize(parts.size());
-    for (std::uint32_t i = 0; i < parts.size(); ++i) {
-        for (const NodeId leaf : parts[i].leaf_clusters) {
-            clusters_[i].resize(scene.meshes[scene.instances[i].mesh].triangles.size(), kNone);
-            for_each_triangle_in(hierarchy, leaf, i, [&](std::uint32_t triangle) { clusters_[i][triangle] = leaf; });
-        }
-    }
-}
+    : hierarchy_(&hierarchy),
+      lighting_(&lighting),
+      elements_(find_elements(hierarchy)),
+      clusters_(find_clusters(hierarchy)) {}
 
 Rgb SeenLight::radiosity(const Ray& ray, const Hit& hit) const {
     const Scene& scene = hierarchy_->scene();
@@ -25,8 +18,7 @@ Rgb SeenLight::radiosity(const Ray& ray, const Hit& hit) const {
     if (element != kNone) {
         return lighting_->radiosity(lighting_->leaf_element_at(element, ray.origin + hit.distance * ray.direction));
     }
-    const auto& clusters = clusters_[hit.instance];
-    const NodeId cluster = clusters.empty() ? kNone : clusters[hit.triangle];
+    const NodeId cluster = clusters_.of(hit.instance, hit.triangle);
     return cluster == kNone ? Rgb(0.0F) : lighting_->radiosity(cluster);
 }
 

@@ -1,8 +1,6 @@
 // What rays see of the light that is known so far.
 #pragma once
 
-#include <vector>
-
 #include "radiosity/instance_parts.h"
 #include "radiosity/lighting.h"
 #include "trace/ray_tracer.h"
@@ -22,7 +20,7 @@ class SeenLight {
     const Hierarchy* hierarchy_;
     const Lighting* lighting_;
     ElementTable elements_;
-    std::vector<std::vector<NodeId>> clusters_;  // per instance, empty or per triangle
+    ClusterTable clusters_;
 };
 
 }  // namespace gg

@@ -4,7 +4,12 @@
 #include <cstdint>
 #include <memory>
 
+#include <span>
+
 #include "core/vec.h"
+#include "radiosity/hierarchy.h"
+#include "radiosity/link.h"
+#include "trace/ray_tracer.h"
 
 namespace gg {
 
@@ -15,5 +20,23 @@ struct Solution;  // radiosity/solution_data.h; immutable, may be read by many t
 // of corners 1 and 2. 0 where no light was linked.
 [[nodiscard]] Rgb interpolated_irradiance(const Solution& solution, std::uint32_t instance, std::uint32_t triangle,
                                           bool back, Vec2 barycentric);
+
+// The nodes that send and receive.
+[[nodiscard]] const Hierarchy& hierarchy_of(const Solution& solution);
+
+// The undivided element or leaf cluster around a point of a triangle's front or back; kNone: no light reaches it.
+[[nodiscard]] NodeId place_at(const Solution& solution, std::uint32_t instance, std::uint32_t triangle, bool back,
+                              Vec3 point);
+
+// Links of the node itself; those of its ancestors bring it light as well.
+[[nodiscard]] std::span<const Link> links_to(const Solution& solution, NodeId receiver);
+
+// Mean over the node's faces, W/m2; of lamps and sky: emission.
+[[nodiscard]] Rgb radiosity_of(const Solution& solution, NodeId node);
+// Standard deviation of its luminance over the node's faces, W/m2.
+[[nodiscard]] float spread_of(const Solution& solution, NodeId node);
+
+// Of a side of a triangle in a leaf cluster, W/m2.
+[[nodiscard]] Rgb face_radiosity(const Solution& solution, std::uint32_t instance, std::uint32_t triangle, bool back);
 
 }  // namespace gg

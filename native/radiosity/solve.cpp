@@ -95,6 +95,20 @@ int face_rays(float quality) {
     return static_cast<int>(std::clamp(0.16F / quality, kLeast, kMost));
 }
 
+// From now on links stand in the order of their receivers.
+void sort_links(Solution& solution) {
+    std::vector<Link>& links = solution.links.all;
+    std::stable_sort(links.begin(), links.end(),
+                     [](const Link& a, const Link& b) { return a.receiver < b.receiver; });
+    solution.link_begin.assign(solution.hierarchy.nodes().size() + 1, 0);
+    for (const Link& link : links) {
+        ++solution.link_begin[link.receiver + 1];
+    }
+    for (std::size_t i = 1; i < solution.link_begin.size(); ++i) {
+        solution.link_begin[i] += solution.link_begin[i - 1];
+    }
+}
+
 // Leaves the solution to what faces see by rays of their own. Returns the number of iterations.
 int look_around(Solution& solution, const SourceGuide& guide, std::span<const Rgb> emitted_by_links,
                 const RayTracer& tracer, int rays, const Control& control) {
@@ -163,6 +177,8 @@ std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& c
         const StageTimer timer(statistics, "interpolate");
         interpolate_to_vertices(*solution, control);
     }
+    sort_links(*solution);
+    solution->clusters = find_clusters(solution->hierarchy);
     report(*solution, statistics);
     return solution;
 }

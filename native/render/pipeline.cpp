@@ -3,6 +3,8 @@
 #include "core/control.h"
 #include "core/parallel.h"
 #include "core/statistics.h"
+#include "film/solution_view.h"
+#include "gather/render_gather.h"
 #include "radiosity/solution.h"
 #include "render/prepared_scene.h"
 
@@ -19,16 +21,18 @@ void render(SceneCache& cache, const RenderSettings& settings, Film& film, Contr
 
         control.begin_stage("picture", 1.0F);
         const StageTimer timer(statistics, "picture");
-        const IrradianceAt irradiance_at = [&](const Hit& hit, bool back) {
-            return interpolated_irradiance(*solution, hit.instance, hit.triangle, back, {hit.u, hit.v});
-        };
         const View view{prepared->scene,
                         *prepared->tracer,
                         *prepared->colors,
                         PixelCamera(settings.camera, settings.width, settings.height),
                         PixelFilter(settings.filter_type, settings.filter_width),
                         settings.view};
-        const ViewCounts counts = render_view(view, irradiance_at, film, control);
+        const IrradianceAt irradiance_at = [&](const Hit& hit, bool back) {
+            return interpolated_irradiance(*solution, hit.instance, hit.triangle, back, {hit.u, hit.v});
+        };
+        const ViewCounts counts = settings.method == Method::kSolution
+                                      ? render_view(view, irradiance_at, film, control)
+                                      : full_gather(*solution, view, film, control, statistics);
         statistics.set_count("coverage samples", static_cast<double>(counts.samples));
         statistics.set_count("dropped samples", static_cast<double>(counts.dropped));
     });

@@ -15,7 +15,11 @@ class Messages;
 class Statistics;
 struct SceneCache;
 
+// How the picture is made from the radiosity solution.
+enum class Method { kGather, kSolution, kFull };
+
 struct RenderSettings {
+    Method method = Method::kSolution;
     CameraDescription camera;
     std::uint32_t width = 1, height = 1;  // of the full picture, pixels
     ViewSettings view;

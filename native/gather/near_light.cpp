@@ -1,0 +1,63 @@
+#include "gather/near_light.h"
+
+#include "core/random.h"
+#include "transport/sky_cell.h"
+
+namespace gg {
+
+NearLight::NearLight(const Solution& solution, const RayTracer& tracer)
+    : solution_(solution), tracer_(tracer), marks_(hierarchy_of(solution).nodes().size()) {
+    const Sequence4 sequence(0x6e656172);
+    for (std::uint32_t i = 0; i < 2 * kNearDirections; ++i) {
+        directions_.push_back(square_to_sphere(sequence(i, 0), sequence(i, 1)));
+    }
+}
+
+void NearLight::trace(std::span<const NodeId> clusters, Vec3 x, Vec3 n) {
+    found_.clear();
+    if (clusters.empty()) {
+        return;
+    }
+    ++stamp_;
+    for (const NodeId cluster : clusters) {
+        marks_[cluster] = stamp_;
+    }
+    rays_.clear();
+    for (const Vec3 direction : directions_) {
+        if (dot(direction, n) > 0) {
+            rays_.push_back({x, direction, 0, kInfinity});
+        }
+    }
+    hits_.resize(rays_.size());
+    tracer_.closest_hits(rays_, hits_, RayMask::kLight, Coherence::kIncoherent);
+    const Hierarchy& hierarchy = hierarchy_of(solution_);
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+        const Hit& hit = hits_[i];
+        if (hit.missed()) {
+            continue;
+        }
+        const bool back = dot(world_area_vector(hierarchy.scene(), hit.instance, hit.triangle), rays_[i].direction) > 0;
+        const NodeId place =
+            place_at(solution_, hit.instance, hit.triangle, back, rays_[i].origin + hit.distance * rays_[i].direction);
+        if (place == kNone) {
+            continue;
+        }
+        NodeId id = place;
+        while (id != kNone && marks_[id] != stamp_) {
+            id = hierarchy[id].parent;
+        }
+        if (id != kNone) {
+            found_.push_back({rays_[i].direction, is_cluster(hierarchy[place])
+                                                      ? face_radiosity(solution_, hit.instance, hit.triangle, back)
+                                                      : radiosity_of(solution_, place)});
+        }
+    }
+}
+
+Rgb NearLight::irradiance(std::span<const NodeId> clusters, Vec3 x, Vec3 n) {
+    Rgb sum(0.0F);
+    for_each_hit(clusters, x, n, [&](Vec3 direction, Rgb radiosity) { sum += 2 * dot(direction, n) * radiosity; });
+    return sum / static_cast<float>(kNearDirections);
+}
+
+}  // namespace gg

@@ -1,0 +1,66 @@
+#include "gather/sender_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "transport/form_factor.h"
+#include "transport/sky_cell.h"
+
+namespace gg {
+
+namespace {
+
+constexpr int kSkySide = 4;  // directions of a cell along each side
+
+template <typename Body>
+void for_each_direction(const Node& cell, const Body& body) {
+    for (int i = 0; i < kSkySide * kSkySide; ++i) {
+        body(cell_direction(sky_cell_of(cell), (static_cast<float>(i % kSkySide) + 0.5F) / kSkySide,
+                            (static_cast<float>(i / kSkySide) + 0.5F) / kSkySide));
+    }
+}
+
+}  // namespace
+
+Rgb unoccluded_irradiance(const Solution& solution, NodeId sender, Vec3 x, Vec3 n) {
+    const Node& node = hierarchy_of(solution)[sender];
+    if (node.kind == NodeKind::kLamp) {
+        return lamp_irradiance(hierarchy_of(solution).scene().lamps[node.source], x, n);
+    }
+    if (node.kind == NodeKind::kSky) {
+        float cosines = 0;
+        for_each_direction(node, [&](Vec3 d) { cosines += std::max(0.0F, dot(d, n)); });
+        return cosines / (kSkySide * kSkySide) * node.area / kPi * radiosity_of(solution, sender);
+    }
+    if (!(dot(x - node.corner[0], node.normal) > 0)) {
+        return Rgb(0.0F);
+    }
+    return point_to_triangle(x, n, node.corner[0], node.corner[1], node.corner[2]) * radiosity_of(solution, sender);
+}
+
+IrradianceVector irradiance_vector(const Solution& solution, NodeId sender, Vec3 x) {
+    const Node& node = hierarchy_of(solution)[sender];
+    if (node.kind == NodeKind::kLamp) {
+        return lamp_irradiance_vector(hierarchy_of(solution).scene().lamps[node.source], x);
+    }
+    Vec3 vector(0.0F);
+    if (node.kind == NodeKind::kSky) {
+        for_each_direction(node, [&](Vec3 d) { vector += d; });
+        vector *= node.area / kPi / (kSkySide * kSkySide);
+    } else if (dot(x - node.corner[0], node.normal) > 0) {
+        vector = vector_form_factor(x, std::span<const Vec3>(node.corner));
+    }
+    const float size = length(vector);
+    return {size * radiosity_of(solution, sender), size > 0 ? vector / size : Vec3(0, 0, 1)};
+}
+
+Rgb irradiance_from(const FacePoint& point, float share_of_all, Vec3 to, Vec3 n, float area) {
+    const float square = length_squared(to);
+    const float cosines = std::max(0.0F, dot(n, to)) * std::max(0.0F, -dot(point.normal, to));
+    if (!(cosines > 0)) {
+        return Rgb(0.0F);
+    }
+    return share_of_all * cosines / (square * (square + area / kPi)) * point.power;
+}
+
+}  // namespace gg

@@ -1,0 +1,22 @@
+// Light that senders bring if nothing is in the way.
+#pragma once
+
+#include <span>
+
+#include "gather/sender_points.h"
+#include "radiosity/solution.h"
+#include "transport/emitter_sampling.h"
+
+namespace gg {
+
+// Irradiance [W/m2] of an element, a lamp or a sky cell at x on unit normal n, clipped against its horizon.
+[[nodiscard]] Rgb unoccluded_irradiance(const Solution& solution, NodeId sender, Vec3 x, Vec3 n);
+
+// The same as a vector, for any normal that has all of the sender above its horizon.
+[[nodiscard]] IrradianceVector irradiance_vector(const Solution& solution, NodeId sender, Vec3 x);
+
+// Irradiance [W/m2] from one of `count` points of a cluster at distance vector `to` on unit normal n. Bounded close by:
+// the point stands for a disk of its share of the cluster.
+[[nodiscard]] Rgb irradiance_from(const FacePoint& point, float share_of_all, Vec3 to, Vec3 n, float area);
+
+}  // namespace gg

@@ -1,0 +1,159 @@
+#include "gather/sender_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "core/random.h"
+#include "transport/emitter_sampling.h"
+#include "transport/sky_cell.h"
+
+namespace gg {
+
+namespace {
+
+constexpr std::uint64_t kPlaceSeed = 0x706c6163, kChoiceSeed = 0x63686f69;
+
+// Additive recurrence of the golden ratio: distinct, and even for any prefix.
+float golden(std::uint32_t index, std::uint64_t seed) {
+    constexpr std::uint32_t kStep = 2654435769U;
+    return static_cast<float>((static_cast<std::uint32_t>(seed) + index * kStep) >> 8) * 0x1p-24F;
+}
+
+struct Side {
+    std::uint32_t instance = 0, triangle = 0;
+    bool back = false;
+    Rgb radiance{0.0F};
+};
+
+// The faces of a leaf cluster by what they send.
+class LeafSampler {
+  public:
+    LeafSampler(const Solution& solution, NodeId cluster) : hierarchy_(hierarchy_of(solution)) {
+        const Scene& scene = hierarchy_.scene();
+        hierarchy_.for_each_triangle(hierarchy_[cluster], [&](std::uint32_t instance, std::uint32_t triangle) {
+            const float area = length(world_area_vector(scene, instance, triangle));
+            for (const bool back : {false, true}) {
+                if (has_side(scene.sides_of(instance, triangle), back)) {
+                    const Rgb radiance = face_radiosity(solution, instance, triangle, back) / kPi;
+                    total_ += static_cast<double>(area) * luminance(radiance);
+                    sides_.push_back({instance, triangle, back, radiance});
+                    sums_.push_back(total_);
+                }
+            }
+        });
+    }
+
+    [[nodiscard]] double total() const { return total_; }
+
+    [[nodiscard]] FacePoint point(std::uint32_t index, std::uint64_t seed) const {
+        const Sequence4 places(hash64(seed, kPlaceSeed));
+        const double target = total_ * static_cast<double>(golden(index, hash64(seed, kChoiceSeed)));
+        const auto found = std::upper_bound(sums_.begin(), sums_.end() - 1, target);
+        const Side& side = sides_[static_cast<std::size_t>(found - sums_.begin())];
+        const Scene& scene = hierarchy_.scene();
+        const auto c = world_triangle(scene, side.instance, side.triangle);
+        const Vec3 w = square_to_triangle(places(index, 0), places(index, 1));
+        const Vec3 front = normalize_or_zero(world_area_vector(scene, side.instance, side.triangle));
+        const float share = static_cast<float>(total_ / kClusterPoints) / std::max(luminance(side.radiance), 1e-30F);
+        return {w.x * c[0] + w.y * c[1] + w.z * c[2], side.back ? -front : front, share * side.radiance};
+    }
+
+  private:
+    const Hierarchy& hierarchy_;
+    std::vector<Side> sides_;
+    std::vector<double> sums_;
+    double total_ = 0;
+};
+
+float brightness(std::span<const FacePoint> points) {
+    float sum = 0;
+    for (const FacePoint& point : points) {
+        sum += luminance(point.power);
+    }
+    return sum;
+}
+
+}  // namespace
+
+ClusterPoints::ClusterPoints(const Solution& solution, const Control& control) {
+    const Hierarchy& hierarchy = hierarchy_of(solution);
+    if (!hierarchy.has_geometry()) {
+        return;
+    }
+    first_.assign(hierarchy.nodes().size(), kNone);
+    std::vector<NodeId> leaves, inner;
+    std::uint32_t count = 0;
+    for (NodeId id = 0; id < hierarchy.nodes().size(); ++id) {
+        if (is_cluster(hierarchy[id])) {
+            (hierarchy[id].child_count == 0 ? leaves : inner).push_back(id);
+            first_[id] = kClusterPoints * count++;
+        }
+    }
+    points_.resize(std::size_t{kClusterPoints} * count);
+    parallel_for(leaves.size(), 1, control, [&](std::size_t i) {
+        const LeafSampler sampler(solution, leaves[i]);
+        for (std::uint32_t k = 0; k < kClusterPoints && sampler.total() > 0; ++k) {
+            points_[first_[leaves[i]] + k] = sampler.point(k, hierarchy[leaves[i]].stable_id);
+        }
+    });
+    // Children come after their parents.
+    for (auto id = inner.rbegin(); id != inner.rend(); ++id) {
+        const Node& node = hierarchy[*id];
+        std::vector<NodeId> children;
+        std::vector<float> sums;
+        float total = 0;
+        for (NodeId child = node.first_child; child < node.first_child + node.child_count; ++child) {
+            const float light = is_cluster(hierarchy[child])
+                                    ? brightness(of(child))
+                                    : hierarchy[child].area * luminance(radiosity_of(solution, child)) / kPi;
+            total += light;
+            children.push_back(child);
+            sums.push_back(total);
+        }
+        std::vector<std::uint32_t> taken(children.size());
+        for (std::uint32_t k = 0; k < kClusterPoints && total > 0; ++k) {
+            const float target = total * golden(k, hash64(node.stable_id, kChoiceSeed));
+            const auto found = static_cast<std::size_t>(std::upper_bound(sums.begin(), sums.end() - 1, target) - sums.begin());
+            const Node& child = hierarchy[children[found]];
+            const std::uint32_t index = taken[found]++;
+            FacePoint& point = points_[first_[*id] + k];
+            if (is_cluster(child)) {
+                point = of(children[found])[index % kClusterPoints];
+            } else {
+                const Sequence4 places(hash64(child.stable_id, kPlaceSeed));
+                const Vec3 w = square_to_triangle(places(index, 0), places(index, 1));
+                point = {w.x * child.corner[0] + w.y * child.corner[1] + w.z * child.corner[2], child.normal,
+                         radiosity_of(solution, children[found])};
+            }
+            point.power *= total / kClusterPoints / std::max(luminance(point.power), 1e-30F);
+        }
+    }
+}
+
+std::span<const FacePoint> ClusterPoints::of(NodeId cluster) const {
+    const std::span<const FacePoint> found = std::span(points_).subspan(first_[cluster], kClusterPoints);
+    return luminance(found.front().power) > 0 ? found : std::span<const FacePoint>();
+}
+
+SenderPoint sender_point(const Solution& solution, NodeId sender, std::uint32_t index, Vec3 x, Vec3 normal) {
+    const Node& node = hierarchy_of(solution)[sender];
+    const Sequence4 places(hash64(node.stable_id, kPlaceSeed));
+    const float u = places(index, 0), v = places(index, 1);
+    if (node.kind == NodeKind::kLamp) {
+        const LampSample sample = sample_lamp(hierarchy_of(solution).scene().lamps[node.source], x, u, v);
+        const float weight = luminance(sample.normal_irradiance) * std::max(0.0F, dot(normal, sample.direction));
+        const bool infinite = std::isinf(sample.distance);
+        return {infinite ? sample.direction : sample.point - x, infinite, weight};
+    }
+    if (node.kind == NodeKind::kSky) {
+        const Vec3 direction = cell_direction(sky_cell_of(node), u, v);
+        return {direction, true, std::max(0.0F, dot(normal, direction))};
+    }
+    const Vec3 w = square_to_triangle(u, v);
+    const Vec3 to = w.x * node.corner[0] + w.y * node.corner[1] + w.z * node.corner[2] - x;
+    const float square = length_squared(to) + 1e-3F * node.area;
+    return {to, false, std::max(0.0F, dot(normal, to)) * std::max(0.0F, -dot(node.normal, to)) / (square * square)};
+}
+
+}  // namespace gg

@@ -1,0 +1,51 @@
+// Fixed points on senders, to which visibility rays go: the same for every receiver, so that neighbouring points of the
+// picture see the same shadows. Every prefix of a sender's points is evenly spread.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "radiosity/solution.h"
+
+namespace gg {
+
+class Control;
+
+// A point of a cluster's faces.
+struct FacePoint {
+    Vec3 position{0.0F};
+    Vec3 normal{0.0F};  // unit, of the side that shines
+    Rgb power{0.0F};    // W/sr: radiance times area that it stands for, if all kClusterPoints are taken
+};
+inline constexpr std::uint32_t kClusterPoints = 32;
+
+// Of all clusters: chosen by radiance times area; a parent's points are its children's.
+class ClusterPoints {
+  public:
+    ClusterPoints() = default;
+    ClusterPoints(const Solution& solution, const Control& control);
+
+    // Empty for a dark cluster; else kClusterPoints.
+    [[nodiscard]] std::span<const FacePoint> of(NodeId cluster) const;
+    // All faces of the cluster [m2], each with its lit sides.
+    [[nodiscard]] std::size_t bytes() const { return points_.capacity() * sizeof(FacePoint); }
+
+  private:
+    std::vector<std::uint32_t> first_;  // per node, into points_, or kNone
+    std::vector<FacePoint> points_;
+};
+
+// Where a ray to sample `index` of an element, lamp or sky cell goes.
+struct SenderPoint {
+    Vec3 direction{0.0F};  // to be added to the origin at t = 1, or unit if the sender is infinitely far
+    bool infinite = false;
+    float weight = 0;  // what arrives from there: cosines over distance squared, any constant factor
+};
+
+// normal: unit, of the receiver.
+[[nodiscard]] SenderPoint sender_point(const Solution& solution, NodeId sender, std::uint32_t index, Vec3 x,
+                                       Vec3 normal);
+
+}  // namespace gg

@@ -1,0 +1,41 @@
+#include "radiosity/solution.h"
+
+#include "radiosity/solution_data.h"
+
+namespace gg {
+
+const Hierarchy& hierarchy_of(const Solution& solution) {
+    return solution.hierarchy;
+}
+
+NodeId place_at(const Solution& solution, std::uint32_t instance, std::uint32_t triangle, bool back, Vec3 point) {
+    const NodeId element = solution.elements.of(instance, triangle, back);
+    if (element != kNone) {
+        return solution.lighting.leaf_element_at(element, point);
+    }
+    return has_side(solution.hierarchy.scene().sides_of(instance, triangle), back)
+               ? solution.clusters.of(instance, triangle)
+               : kNone;
+}
+
+std::span<const Link> links_to(const Solution& solution, NodeId receiver) {
+    return std::span(solution.links.all)
+        .subspan(solution.link_begin[receiver], solution.link_begin[receiver + 1] - solution.link_begin[receiver]);
+}
+
+Rgb radiosity_of(const Solution& solution, NodeId node) {
+    return solution.lighting.radiosity(node);
+}
+
+float spread_of(const Solution& solution, NodeId node) {
+    return solution.lighting.spread(node);
+}
+
+Rgb face_radiosity(const Solution& solution, std::uint32_t instance, std::uint32_t triangle, bool back) {
+    const SceneFaces& faces = solution.hierarchy.faces();
+    const FaceColors& colors = faces.colors[faces.instance_colors[instance]];
+    const Rgb emitted = colors.emission.empty() ? Rgb(0.0F) : kPi * colors.emission[triangle];
+    return emitted + colors.reflectance[triangle] * solution.face_light.irradiance(instance, triangle, back);
+}
+
+}  // namespace gg
