@@ -26,4 +26,12 @@ Ray PixelCamera::ray(float x, float y) const {
     return {position_ + place, forward_, near_, far_};
 }
 
+Vec3 PixelCamera::project(Vec3 point) const {
+    const Vec3 from = point - position_;
+    const float depth = dot(from, forward_);
+    const Vec3 in_window = (perspective_ ? from / std::max(depth, 1e-20F) : from - depth * forward_) - corner_;
+    return {dot(in_window, step_x_) / length_squared(step_x_), dot(in_window, step_y_) / length_squared(step_y_),
+            depth};
+}
+
 }  // namespace gg

@@ -18,6 +18,10 @@ class PixelCamera {
     // direction in m; near and far are the camera's clip distances.
     [[nodiscard]] Ray ray(float x, float y) const;
 
+    // x and y as above, and the depth along the view direction, m, of a point in world space. Behind a perspective
+    // camera x and y mean nothing.
+    [[nodiscard]] Vec3 project(Vec3 point) const;
+
     // Side of a pixel, m, across the view direction at that depth.
     [[nodiscard]] float pixel_size(float depth) const { return perspective_ ? pixel_size_ * depth : pixel_size_; }
 

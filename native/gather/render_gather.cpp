@@ -7,7 +7,10 @@
 #include "core/control.h"
 #include "core/parallel.h"
 #include "core/statistics.h"
+#include "gather/classify.h"
 #include "gather/full_gather.h"
+#include "gather/grid_sites.h"
+#include "gather/shade.h"
 
 namespace gg {
 
@@ -50,6 +53,80 @@ ViewCounts full_gather(const Solution& solution, const View& view, Film& film, C
     statistics.set_count("resampled senders", static_cast<double>(total.senders));
     statistics.set_count("visibility rays", static_cast<double>(total.visibility_rays));
     statistics.set_count("near rays", static_cast<double>(total.near_rays));
+    const std::uint64_t pixels = std::uint64_t{view.settings.crop.width} * view.settings.crop.height;
+    return {pixels * view.settings.samples, dropped};
+}
+
+ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t width, std::uint32_t height,
+                       Film& film, Control& control, Statistics& statistics) {
+    std::vector<TileFragments> tiles(film.tile_count());
+    {
+        const StageTimer timer(statistics, "visible points");
+        parallel_for(tiles.size(), 1, control, [&](std::size_t i) {
+            tiles[i] = trace_tile(view, film.tile(static_cast<std::uint32_t>(i)));
+        });
+    }
+    std::vector<Site> sites;
+    const ClusterPoints points(solution, control);
+    const PerspectiveGrid grid =
+        fit_grid(view, static_cast<float>(width), static_cast<float>(height), tiles, GridSettings{});
+    const GridReceivers receivers(solution, view, grid, tiles, control);
+    {
+        const StageTimer timer(statistics, "classification");
+        ClassifySettings settings;
+        if (getenv("GG_T")) settings.threshold = (float)atof(getenv("GG_T"));
+        settings.least_radiosity = 0.1F * receivers.mean_radiosity();
+        sites.resize(receivers.site_count());
+        std::mutex mutex;
+        ClassifyCounts total;
+        parallel_blocks(sites.size(), 64, control, [&](std::size_t begin, std::size_t end) {
+            Classifier classifier(solution, points, view.tracer, settings);
+            for (std::size_t i = begin; i < end; ++i) {
+                sites[i] = classifier.classify(receivers.of(i));
+            }
+            const std::scoped_lock lock(mutex);
+            total += classifier.counts();
+        });
+        statistics.set_count("sites", static_cast<double>(total.sites));
+        statistics.set_count("grid vertices", static_cast<double>(grid.vertex_count()));
+        statistics.set_count("senders of sites", static_cast<double>(total.senders));
+        statistics.set_count("rays of classification", static_cast<double>(total.rays));
+        statistics.set_count("senders resampled: both", static_cast<double>(total.both));
+        statistics.set_count("senders resampled: visibility", static_cast<double>(total.only_visibility));
+        statistics.set_count("senders resampled: form factor", static_cast<double>(total.only_form_factor));
+    }
+    const StageTimer timer(statistics, "shading");
+    std::atomic<std::uint64_t> dropped{0};
+    std::atomic<std::uint32_t> finished{0};
+    std::mutex mutex;
+    ShadeCounts total;
+    parallel_for(tiles.size(), 1, control, [&](std::size_t index) {
+        Shader shader(solution, points, view.tracer);
+        const TileFragments& tile = tiles[index];
+        std::vector<Rgb> irradiance;
+        irradiance.reserve(tile.fragments.size());
+        for (const Fragment& fragment : tile.fragments) {
+            const GridPlace place = grid.place(fragment.position);
+            std::array<WeightedSite, 4> around;
+            std::size_t count = 0;
+            for (int k = 0; k < 4; ++k) {
+                if (place.weights[k] > 0) {
+                    around[count++] = {&sites[receivers.site_at(place.vertices[k])], place.weights[k]};
+                }
+            }
+            irradiance.push_back(shader.irradiance(fragment, std::span(around).first(count)));
+        }
+        std::vector<Rgba> pixels(tile.pixels.size());
+        dropped += resolve_tile(view, tile, irradiance, pixels);
+        film.finish_tile(static_cast<std::uint32_t>(index), pixels);
+        control.set_stage_progress(static_cast<float>(++finished) / static_cast<float>(film.tile_count()));
+        const std::scoped_lock lock(mutex);
+        total += shader.counts();
+    });
+    statistics.set_count("gathered points", static_cast<double>(total.points));
+    statistics.set_count("resampled senders", static_cast<double>(total.senders));
+    statistics.set_count("form factors", static_cast<double>(total.form_factors));
+    statistics.set_count("visibility rays", static_cast<double>(total.visibility_rays));
     const std::uint64_t pixels = std::uint64_t{view.settings.crop.width} * view.settings.crop.height;
     return {pixels * view.settings.samples, dropped};
 }

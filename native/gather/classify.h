@@ -1,0 +1,78 @@
+// Which senders may be interpolated around a site [Scheel et al. 2002, section 4.3].
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "film/fragments.h"
+#include "gather/near_light.h"
+#include "gather/sender_cut.h"
+#include "gather/sender_points.h"
+#include "gather/site.h"
+#include "transport/emitter_sampling.h"
+
+namespace gg {
+
+// A visible point near a site.
+struct Receiver {
+    Vec3 position{0.0F};  // off its surface
+    Vec3 normal{0.0F};    // unit, shading
+    NodeId place = kNone;
+    float reflectance = 0;  // luminance, 0..1
+    float irradiance = 0;   // by the radiosity solution, luminance, W/m2
+};
+
+struct ClassifySettings {
+    int samples = 256;         // visibility rays of a point, N of eq. 1
+    float threshold = 0.014F;  // error of a sender that is not seen, as a share of the local radiosity
+    float least_radiosity = 0; // W/m2: darker places tolerate no less than this one
+};
+
+struct ClassifyCounts {
+    std::uint64_t sites = 0, senders = 0, rays = 0;
+    std::uint64_t both = 0, only_visibility = 0, only_form_factor = 0;  // resampled
+    ClassifyCounts& operator+=(const ClassifyCounts& other);
+};
+
+// Makes sites, one after the other; for one thread.
+class Classifier {
+  public:
+    Classifier(const Solution& solution, const ClusterPoints& points, const RayTracer& tracer,
+               const ClassifySettings& settings);
+
+    // receivers: at least one.
+    [[nodiscard]] Site classify(std::span<const Receiver> receivers);
+    [[nodiscard]] const ClassifyCounts& counts() const { return counts_; }
+
+  private:
+    struct Candidate {
+        CutSender cut;
+        Rgb irradiance{0.0F};  // unoccluded, of a plane that faces the mean direction
+        Vec3 direction{0.0F};
+        float spread = 0;      // of the irradiance vector over the receivers, W/m2
+        bool horizon = false;  // lies in part below the horizon of some receiver
+        float largest = 0;     // W/m2
+        std::uint32_t first_ray = 0, ray_count = 0;
+    };
+
+    void measure(Candidate& candidate, std::span<const Receiver> receivers, std::size_t count);
+    [[nodiscard]] IrradianceVector vector_at(NodeId sender, Vec3 x) const;
+    void add_rays(Candidate& candidate, std::span<const Receiver> receivers, std::uint32_t count);
+    void add_near_light(std::span<const Receiver> receivers, Site& site);
+    [[nodiscard]] float visibility_of(const Candidate& candidate, bool& mixed) const;
+
+    const Solution& solution_;
+    const ClusterPoints& points_;
+    const RayTracer& tracer_;
+    ClassifySettings settings_;
+    CutBuilder cutter_;
+    NearLight near_;
+    SenderCut cut_;
+    std::vector<NodeId> places_;
+    std::vector<Candidate> candidates_;
+    std::vector<Ray> rays_;
+    std::vector<std::uint8_t> blocked_;
+    ClassifyCounts counts_;
+};
+
+}  // namespace gg

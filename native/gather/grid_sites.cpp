@@ -1,0 +1,117 @@
+#include "gather/grid_sites.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "core/random.h"
+#include "trace/surface_point.h"
+
+namespace gg {
+
+namespace {
+
+constexpr std::size_t kReceivers = 16;     // of a site
+constexpr float kFewest = 0.005F;          // share of what is seen that may be nearer or farther than the grid
+constexpr float kBeyond = 1.05F;           // by which the grid reaches farther than that
+constexpr std::size_t kEveryFragment = 7;  // that depths are taken from
+
+// A fragment next to a vertex.
+struct Candidate {
+    std::uint32_t vertex = 0;
+    std::uint32_t rank = 0;  // by chance
+    std::uint32_t tile = 0, fragment = 0;
+};
+
+bool comes_first(const Candidate& a, const Candidate& b) {
+    return a.vertex != b.vertex ? a.vertex < b.vertex : a.rank < b.rank;
+}
+
+// Leaves the first few of every vertex. `all` is sorted.
+void thin_out(std::vector<Candidate>& all) {
+    std::size_t kept = 0, of_vertex = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        of_vertex = i > 0 && all[i].vertex == all[i - 1].vertex ? of_vertex + 1 : 0;
+        if (of_vertex < kReceivers) {
+            all[kept++] = all[i];
+        }
+    }
+    all.resize(kept);
+}
+
+std::vector<Candidate> candidates_of(const PerspectiveGrid& grid, const TileFragments& tile, std::uint32_t index) {
+    std::vector<Candidate> found;
+    for (std::uint32_t f = 0; f < tile.fragments.size(); ++f) {
+        const GridPlace place = grid.place(tile.fragments[f].position);
+        const auto rank = static_cast<std::uint32_t>(hash64(index, f));
+        for (int k = 0; k < 4; ++k) {
+            if (place.weights[k] > 0) {
+                found.push_back({place.vertices[k], rank, index, f});
+            }
+        }
+    }
+    std::sort(found.begin(), found.end(), comes_first);
+    thin_out(found);
+    return found;
+}
+
+Receiver make_receiver(const Solution& solution, const Fragment& at) {
+    Receiver receiver;
+    receiver.position = offset_origin(at.position, at.normal, 1);
+    receiver.normal = at.shading_normal;
+    receiver.place = place_at(solution, at.hit.instance, at.hit.triangle, at.back, at.position);
+    receiver.reflectance = luminance(at.albedo) / std::max(at.share, 1e-6F);
+    receiver.irradiance = luminance(
+        interpolated_irradiance(solution, at.hit.instance, at.hit.triangle, at.back, {at.hit.u, at.hit.v}));
+    return receiver;
+}
+
+}  // namespace
+
+PerspectiveGrid fit_grid(const View& view, float width, float height, std::span<const TileFragments> tiles,
+                         GridSettings settings) {
+    std::vector<float> depths;
+    for (const TileFragments& tile : tiles) {
+        for (std::size_t f = 0; f < tile.fragments.size(); f += kEveryFragment) {
+            depths.push_back(view.camera.project(tile.fragments[f].position).z);
+        }
+    }
+    if (!depths.empty()) {
+        std::sort(depths.begin(), depths.end());
+        const auto few = static_cast<std::size_t>(kFewest * static_cast<float>(depths.size()));
+        settings.nearest = std::max(depths[few] / kBeyond, 1e-4F);
+        settings.farthest = std::max(depths[depths.size() - 1 - few] * kBeyond, settings.nearest);
+    }
+    return {view.camera, width, height, settings};
+}
+
+GridReceivers::GridReceivers(const Solution& solution, const View& view, const PerspectiveGrid& grid,
+                             std::span<const TileFragments> tiles, const Control& control) {
+    (void)view;
+    std::vector<Candidate> all = parallel_collect<Candidate>(
+        tiles.size(), 1, control, [&](std::size_t begin, std::size_t end, std::vector<Candidate>& out) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto found = candidates_of(grid, tiles[i], static_cast<std::uint32_t>(i));
+                out.insert(out.end(), found.begin(), found.end());
+            }
+        });
+    std::stable_sort(all.begin(), all.end(), comes_first);
+    thin_out(all);
+    receivers_.resize(all.size());
+    parallel_for(all.size(), 256, control, [&](std::size_t i) {
+        receivers_[i] = make_receiver(solution, tiles[all[i].tile].fragments[all[i].fragment]);
+    });
+    site_of_.assign(grid.vertex_count(), kNone);
+    double radiosity = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        radiosity += static_cast<double>(receivers_[i].reflectance) * receivers_[i].irradiance;
+        if (i == 0 || all[i].vertex != all[i - 1].vertex) {
+            site_of_[all[i].vertex] = static_cast<std::uint32_t>(begin_.size() - 1);
+            begin_.push_back(0);
+        }
+        begin_.back() = static_cast<std::uint32_t>(i + 1);
+    }
+    mean_radiosity_ = static_cast<float>(radiosity / static_cast<double>(std::max<std::size_t>(all.size(), 1)));
+}
+
+}  // namespace gg

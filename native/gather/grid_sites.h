@@ -1,0 +1,41 @@
+// The sites of a picture at the vertices of a grid.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "film/fragments.h"
+#include "gather/classify.h"
+#include "gather/perspective_grid.h"
+
+namespace gg {
+
+class Control;
+
+// A grid around what is seen. settings: nearest and farthest are found.
+[[nodiscard]] PerspectiveGrid fit_grid(const View& view, float width, float height,
+                                       std::span<const TileFragments> tiles, GridSettings settings);
+
+// Visible points around every vertex that has any, chosen evenly and without regard to their order.
+class GridReceivers {
+  public:
+    GridReceivers(const Solution& solution, const View& view, const PerspectiveGrid& grid,
+                  std::span<const TileFragments> tiles, const Control& control);
+
+    [[nodiscard]] std::size_t site_count() const { return begin_.size() - 1; }
+    [[nodiscard]] std::span<const Receiver> of(std::size_t site) const {
+        return std::span(receivers_).subspan(begin_[site], begin_[site + 1] - begin_[site]);
+    }
+    // kNone for a vertex without a site.
+    [[nodiscard]] std::uint32_t site_at(std::uint32_t vertex) const { return site_of_[vertex]; }
+    [[nodiscard]] float mean_radiosity() const { return mean_radiosity_; }  // reflected, of what is seen, W/m2
+
+  private:
+    std::vector<Receiver> receivers_;
+    std::vector<std::uint32_t> begin_{0};
+    std::vector<std::uint32_t> site_of_;  // per vertex
+    float mean_radiosity_ = 0;
+};
+
+}  // namespace gg

@@ -1,0 +1,147 @@
+#include "gather/shade.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gather/sender_light.h"
+#include "trace/surface_point.h"
+
+namespace gg {
+
+namespace {
+
+constexpr float kAlmost = 0.9999F;  // of the way to a sender
+
+}  // namespace
+
+ShadeCounts& ShadeCounts::operator+=(const ShadeCounts& other) {
+    points += other.points;
+    senders += other.senders;
+    visibility_rays += other.visibility_rays;
+    form_factors += other.form_factors;
+    return *this;
+}
+
+Shader::Shader(const Solution& solution, const ClusterPoints& points, const RayTracer& tracer)
+    : solution_(solution), points_(points), tracer_(tracer) {}
+
+// The union of the sites' senders.
+void Shader::plan(std::span<const WeightedSite> sites) {
+    tasks_.clear();
+    std::array<std::size_t, 8> next{};
+    for (;;) {
+        NodeId sender = kNone;
+        for (std::size_t i = 0; i < sites.size(); ++i) {
+            if (next[i] < sites[i].site->senders.size()) {
+                sender = std::min(sender, sites[i].site->senders[next[i]].sender);
+            }
+        }
+        if (sender == kNone) {
+            return;
+        }
+        Task task;
+        task.sender = sender;
+        for (std::size_t i = 0; i < sites.size(); ++i) {
+            const auto& senders = sites[i].site->senders;
+            if (next[i] < senders.size() && senders[next[i]].sender == sender) {
+                const SiteSender& model = senders[next[i]++];
+                task.form_factor = task.form_factor || model.resample_form_factor;
+                task.visibility = task.visibility || model.resample_visibility;
+                task.samples += model.resample_visibility ? sites[i].weight * model.samples : 0.0F;
+            }
+        }
+        tasks_.push_back(task);
+    }
+}
+
+// Rays to a prefix of the sender's points; the last one counts by the fraction of the sample number, so that a number
+// that changes from point to point changes nothing at once.
+void Shader::add_rays(const Fragment& at, Vec3 x, Task& task) {
+    const Node& node = hierarchy_of(solution_)[task.sender];
+    task.first_ray = static_cast<std::uint32_t>(rays_.size());
+    const auto add = [&](Vec3 to, bool infinite, float weight, float fraction) {
+        if (weight > 0 && dot(to, at.normal) > 0) {
+            rays_.push_back({x, to, 0, infinite ? kInfinity : kAlmost});
+            weights_.push_back(weight * fraction);
+        }
+    };
+    const float most = is_cluster(node) ? static_cast<float>(kClusterPoints) : 256.0F;
+    const float samples = std::clamp(task.samples, 1.0F, most);
+    const auto whole = static_cast<std::uint32_t>(samples);
+    const float fraction = samples - static_cast<float>(whole);
+    const float of_all = (1 - fraction) / static_cast<float>(whole) + fraction / static_cast<float>(whole + 1);
+    const float of_last = fraction / static_cast<float>(whole + 1);
+    for (std::uint32_t i = 0; i < whole + (fraction > 0 ? 1 : 0); ++i) {
+        const float share = i < whole ? of_all : of_last;
+        if (is_cluster(node)) {
+            const FacePoint& point = points_.of(task.sender)[i];
+            const Vec3 to = point.position - x;
+            const Rgb light = irradiance_from(point, 1, to, at.shading_normal, 0.5F * node.area / kClusterPoints);
+            add(to, false, luminance(light), share);
+        } else {
+            const SenderPoint point = sender_point(solution_, task.sender, i, x, at.shading_normal);
+            add(point.direction, point.infinite, point.weight, share);
+        }
+    }
+    task.ray_count = static_cast<std::uint32_t>(rays_.size()) - task.first_ray;
+}
+
+void Shader::weigh(Task& task) const {
+    float seen = 0, sent = 0;
+    for (std::uint32_t k = task.first_ray; k < task.first_ray + task.ray_count; ++k) {
+        sent += weights_[k];
+        seen += blocked_[k] ? 0.0F : weights_[k];
+    }
+    task.seen = sent > 0 ? seen / sent : 0;
+}
+
+Rgb Shader::irradiance(const Fragment& at, std::span<const WeightedSite> sites) {
+    const Vec3 x = offset_origin(at.position, at.normal, 1);
+    plan(sites);
+    rays_.clear();
+    weights_.clear();
+    for (Task& task : tasks_) {
+        if (task.form_factor) {
+            const Node& node = hierarchy_of(solution_)[task.sender];
+            if (is_cluster(node)) {
+                for (const FacePoint& point : points_.of(task.sender)) {
+                    task.unoccluded += irradiance_from(point, 1, point.position - x, at.shading_normal,
+                                                       0.5F * node.area / kClusterPoints);
+                }
+            } else {
+                task.unoccluded = unoccluded_irradiance(solution_, task.sender, x, at.shading_normal);
+            }
+            ++counts_.form_factors;
+        }
+        if (task.visibility) {
+            add_rays(at, x, task);
+        }
+    }
+    blocked_.resize(rays_.size());
+    tracer_.occluded(rays_, blocked_, RayMask::kLight, Coherence::kCoherent);
+    for (Task& task : tasks_) {
+        if (task.visibility) {
+            weigh(task);
+        }
+    }
+    Rgb sum(0.0F);
+    for (const WeightedSite& weighted : sites) {
+        const Site& site = *weighted.site;
+        Rgb light = evaluate_clamped(site.interpolated, at.shading_normal);
+        std::size_t task = 0;
+        for (const SiteSender& model : site.senders) {
+            while (tasks_[task].sender != model.sender) {
+                ++task;
+            }
+            const Rgb unoccluded = model.resample_form_factor
+                                       ? tasks_[task].unoccluded
+                                       : std::max(0.0F, dot(at.shading_normal, model.direction)) * model.irradiance;
+            light += (model.resample_visibility ? tasks_[task].seen : model.visibility) * unoccluded;
+        }
+        sum += weighted.weight * light;
+    }
+    counts_ += {1, tasks_.size(), rays_.size(), 0};
+    return sum;
+}
+
+}  // namespace gg
