@@ -1,6 +1,7 @@
 #include "gather/classify.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "gather/sender_light.h"
@@ -10,9 +11,31 @@ namespace gg {
 namespace {
 
 constexpr float kAlmost = 0.9999F;  // of the way to a sender
-constexpr std::uint32_t kLeastPairs = 4, kMostPairs = 16;
-constexpr float kSettled = 0.1F;    // share of the threshold below which links are believed
+constexpr std::uint32_t kFewPairs = 2, kLeastPairs = 4, kMostPairs = 64;
+constexpr std::size_t kMostReceivers = 32;
+constexpr float kSettled = 0.1F;  // share of the tolerance from which a sender is looked at closely
 constexpr float kLeastSamples = 4;
+constexpr float kNearError = 0.3F;  // of light from close by when it is interpolated
+
+// Height of the sender's middle above the receiver's horizon, in its radii.
+float height(const Node& node, const Receiver& receiver) {
+    if (node.kind == NodeKind::kSky) {
+        constexpr float kTall = 2.5F;  // cells near the horizon are longer than their radius
+        return dot(node.center, receiver.normal) / (kTall * node.radius);
+    }
+    if (node.kind == NodeKind::kLamp && std::isinf(node.radius)) {
+        return kInfinity;
+    }
+    return dot(node.center - receiver.position, receiver.normal) / std::max(node.radius, 1e-20F);
+}
+
+bool is_below_horizon(const Node& node, const Receiver& receiver) {
+    return height(node, receiver) < -1;
+}
+
+bool crosses_horizon(const Node& node, const Receiver& receiver) {
+    return std::abs(height(node, receiver)) < 1;
+}
 
 }  // namespace
 
@@ -55,48 +78,73 @@ IrradianceVector Classifier::vector_at(NodeId sender, Vec3 x) const {
     return {all > 0 ? size / all * sum : Rgb(0.0F), size > 0 ? vector / size : Vec3(0, 0, 1)};
 }
 
-// Over the first `count` receivers.
+// Over at most `count` of the receivers that the sender may light: what others have of it is nothing anyway.
 void Classifier::measure(Candidate& candidate, std::span<const Receiver> receivers, std::size_t count) {
     const Node& node = hierarchy_of(solution_)[candidate.cut.sender];
+    std::array<Vec3, kMostReceivers> vectors;
+    std::size_t found = 0;
     Rgb sum(0.0F);
     Vec3 mean(0.0F);
-    std::array<Vec3, kMostPairs> vectors;
-    for (std::size_t j = 0; j < count; ++j) {
-        const IrradianceVector v = vector_at(candidate.cut.sender, receivers[j].position);
-        vectors[j] = luminance(v.irradiance) * v.direction;
-        sum += v.irradiance / static_cast<float>(count);
-        mean += vectors[j] / static_cast<float>(count);
-        candidate.largest = std::max(candidate.largest, luminance(v.irradiance));
+    for (const Receiver& receiver : receivers) {
+        if (found == count || is_below_horizon(node, receiver)) {
+            continue;
+        }
+        const IrradianceVector v = vector_at(candidate.cut.sender, receiver.position);
+        const float size = luminance(v.irradiance);
+        if (size > 0) {
+            vectors[found++] = size * v.direction;
+            sum += v.irradiance;
+            mean += size * v.direction;
+            candidate.largest = std::max(candidate.largest, size);
+            candidate.horizon = candidate.horizon || crosses_horizon(node, receiver);
+        }
     }
+    if (found == 0) {
+        return;
+    }
+    sum /= static_cast<float>(found);
+    mean /= static_cast<float>(found);
     const float size = length(mean), all = luminance(sum);
     candidate.irradiance = all > 0 ? size / all * sum : Rgb(0.0F);
     candidate.direction = size > 0 ? mean / size : Vec3(0, 0, 1);
-    for (std::size_t j = 0; j < count; ++j) {
+    candidate.spread = 0;
+    for (std::size_t j = 0; j < found; ++j) {
         candidate.spread = std::max(candidate.spread, 2 * length(vectors[j] - mean));
     }
-    if (node.kind == NodeKind::kElement || is_cluster(node)) {
-        for (const Receiver& receiver : receivers) {
-            candidate.horizon = candidate.horizon || std::abs(dot(node.center - receiver.position, receiver.normal)) < node.radius;
-        }
+}
+
+// Luminance of the irradiance that a sender may bring to any point of a box.
+float Classifier::bound(NodeId sender, const Box& box) const {
+    const Node& node = hierarchy_of(solution_)[sender];
+    if (node.kind == NodeKind::kLamp || node.kind == NodeKind::kSky) {
+        return kInfinity;
     }
+    const float distance = std::max(0.0F, length(node.center - box.center()) - node.radius - 0.5F * box.diameter());
+    const float factor = node.area / std::max(kPi * distance * distance, 1e-20F);
+    return std::min(factor, 1.0F) * luminance(radiosity_of(solution_, sender));
 }
 
 void Classifier::add_rays(Candidate& candidate, std::span<const Receiver> receivers, std::uint32_t count) {
     const NodeId sender = candidate.cut.sender;
     const bool cluster = is_cluster(hierarchy_of(solution_)[sender]);
     candidate.first_ray = static_cast<std::uint32_t>(rays_.size());
-    for (std::uint32_t k = 0; k < count; ++k) {
-        const Receiver& receiver = receivers[k % receivers.size()];
+    const auto wanted = candidate.first_ray + count;
+    const std::uint32_t most = count + 2 * static_cast<std::uint32_t>(receivers.size());
+    std::uint32_t point = 0;  // of the sender: a prefix, whichever receivers see it
+    for (std::uint32_t k = 0; k < most && rays_.size() < wanted; ++k) {
+        const Receiver& receiver = receivers[(sender + k) % receivers.size()];
         if (cluster) {
-            const FacePoint& point = points_.of(sender)[k % kClusterPoints];
-            const Vec3 to = point.position - receiver.position;
-            if (dot(to, receiver.normal) > 0 && dot(to, point.normal) < 0) {
+            const FacePoint& target = points_.of(sender)[point % kClusterPoints];
+            const Vec3 to = target.position - receiver.position;
+            ++point;
+            if (dot(to, receiver.normal) > 0 && dot(to, target.normal) < 0) {
                 rays_.push_back({receiver.position, to, 0, kAlmost});
             }
         } else {
-            const SenderPoint point = sender_point(solution_, sender, k, receiver.position, receiver.normal);
-            if (point.weight > 0) {
-                rays_.push_back({receiver.position, point.direction, 0, point.infinite ? kInfinity : kAlmost});
+            const SenderPoint target = sender_point(solution_, sender, point, receiver.position, receiver.normal);
+            if (target.weight > 0) {
+                rays_.push_back({receiver.position, target.direction, 0, target.infinite ? kInfinity : kAlmost});
+                ++point;
             }
         }
     }
@@ -116,28 +164,32 @@ float Classifier::visibility_of(const Candidate& candidate, bool& mixed) const {
     return static_cast<float>(seen) / static_cast<float>(candidate.ray_count);
 }
 
-void Classifier::add_near_light(std::span<const Receiver> receivers, Site& site) {
+// tolerance: W/m2
+void Classifier::add_near_light(std::span<const Receiver> receivers, float tolerance, Site& site) {
     if (cut_.near.empty()) {
         return;
     }
-    // All directions from one receiver on each side that is seen.
-    std::vector<const Receiver*> chosen{&receivers.front()};
+    origins_.clear();
     for (const Receiver& receiver : receivers) {
-        if (dot(receiver.normal, chosen.front()->normal) < -0.2F) {
-            chosen.push_back(&receiver);
-            break;
-        }
+        origins_.push_back({receiver.position, receiver.normal});
     }
-    for (const Receiver* receiver : chosen) {
-        near_.for_each_hit(cut_.near, receiver->position, receiver->normal, [&](Vec3 direction, Rgb radiosity) {
-            add_beam(site.interpolated, 2.0F / kNearDirections * radiosity, direction);
-        });
+    const std::size_t first = site.beams.size();
+    near_.for_each_hit(cut_.near, origins_, [&](Vec3 direction, Rgb irradiance) {
+        site.beams.push_back({direction, irradiance});
+    });
+    counts_.rays += 2 * kNearDirections;
+    float most = 0;
+    for (const NearOrigin& origin : origins_) {
+        most = std::max(most, luminance(light_of(std::span(site.beams).subspan(first), origin.normal)));
     }
-    counts_.rays += chosen.size() * kNearDirections;
+    if (kNearError * most > tolerance) {
+        site.near = cut_.near;
+        site.beams.resize(first);
+    }
 }
 
 Site Classifier::classify(std::span<const Receiver> receivers) {
-    receivers = receivers.first(std::min<std::size_t>(receivers.size(), kMostPairs));
+    receivers = receivers.first(std::min<std::size_t>(receivers.size(), kMostReceivers));
     Box bounds;
     float irradiance = 0, radiosity = 0, reflectance = 0;
     places_.clear();
@@ -153,10 +205,9 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
     }
     cutter_.build({places_, bounds, irradiance}, cut_);
     Site site;
-    add_near_light(receivers, site);
-
     const float threshold = settings_.threshold * std::max(radiosity, settings_.least_radiosity);
     const float in_irradiance = threshold / std::max(reflectance, 0.02F);
+    add_near_light(receivers, in_irradiance, site);
     candidates_.clear();
     rays_.clear();
     float all = 0;
@@ -164,20 +215,19 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
         Candidate candidate;
         candidate.cut = sender;
         measure(candidate, receivers, 1);
-        if (!(candidate.largest > 0) && receivers.size() > 1) {
-            measure(candidate, receivers, receivers.size());
-        }
         if (candidate.largest > 0) {
             all += luminance(candidate.irradiance);
             candidates_.push_back(candidate);
         }
     }
     for (Candidate& candidate : candidates_) {
-        if (candidate.largest > kSettled * in_irradiance) {
+        candidate.matters = bound(candidate.cut.sender, bounds) > kSettled * in_irradiance;
+        if (!candidate.matters) {
+            add_rays(candidate, receivers, kFewPairs);
+        } else {
             const float wanted = static_cast<float>(settings_.samples) * luminance(candidate.irradiance) / all;
             measure(candidate, receivers, receivers.size());
-            add_rays(candidate, receivers,
-                     std::clamp(static_cast<std::uint32_t>(wanted), kLeastPairs, kMostPairs));
+            add_rays(candidate, receivers, std::clamp(static_cast<std::uint32_t>(wanted), kLeastPairs, kMostPairs));
         }
     }
     blocked_.resize(rays_.size());
@@ -187,10 +237,12 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
         const float visibility = visibility_of(candidate, mixed);
         const float brings = luminance(candidate.irradiance);
         SiteSender sender{candidate.cut.sender, false, false, 0, visibility, candidate.irradiance, candidate.direction};
-        if (candidate.ray_count > 0 || candidate.largest > kSettled * in_irradiance) {
+        if (candidate.matters) {
             const float form_factor_error = std::max(candidate.spread, candidate.horizon ? brings : 0.0F) * visibility;
             sender.resample_form_factor = form_factor_error > in_irradiance;
-            sender.resample_visibility = mixed && brings > in_irradiance;
+            // That all rays said the same is no proof.
+            const float doubt = mixed ? 1.0F : 1 / (static_cast<float>(candidate.ray_count) + 2);
+            sender.resample_visibility = doubt * brings > in_irradiance;
             sender.samples = std::max(kLeastSamples, static_cast<float>(settings_.samples) * brings / all);
         }
         if (sender.resample_form_factor || sender.resample_visibility) {
@@ -199,7 +251,7 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
             counts_.only_form_factor += !sender.resample_visibility;
             site.senders.push_back(sender);
         } else {
-            add_beam(site.interpolated, visibility * candidate.irradiance, candidate.direction);
+            site.beams.push_back({candidate.direction, visibility * candidate.irradiance});
         }
     }
     std::sort(site.senders.begin(), site.senders.end(),

@@ -23,9 +23,10 @@ struct Receiver {
 };
 
 struct ClassifySettings {
-    int samples = 256;         // visibility rays of a point, N of eq. 1
-    float threshold = 0.014F;  // error of a sender that is not seen, as a share of the local radiosity
-    float least_radiosity = 0; // W/m2: darker places tolerate no less than this one
+    int samples = 256;          // visibility rays of a point, N of eq. 1
+    float threshold = 0.0035F;  // error of a sender that is not seen, as a share of the local radiosity: a quarter of
+                                // 1.4 %, which one alone may have
+    float least_radiosity = 0;  // W/m2: darker places tolerate no less than this one
 };
 
 struct ClassifyCounts {
@@ -52,13 +53,15 @@ class Classifier {
         float spread = 0;      // of the irradiance vector over the receivers, W/m2
         bool horizon = false;  // lies in part below the horizon of some receiver
         float largest = 0;     // W/m2
+        bool matters = false;  // somewhere around
         std::uint32_t first_ray = 0, ray_count = 0;
     };
 
     void measure(Candidate& candidate, std::span<const Receiver> receivers, std::size_t count);
     [[nodiscard]] IrradianceVector vector_at(NodeId sender, Vec3 x) const;
+    [[nodiscard]] float bound(NodeId sender, const Box& box) const;
     void add_rays(Candidate& candidate, std::span<const Receiver> receivers, std::uint32_t count);
-    void add_near_light(std::span<const Receiver> receivers, Site& site);
+    void add_near_light(std::span<const Receiver> receivers, float tolerance, Site& site);
     [[nodiscard]] float visibility_of(const Candidate& candidate, bool& mixed) const;
 
     const Solution& solution_;
@@ -69,6 +72,7 @@ class Classifier {
     NearLight near_;
     SenderCut cut_;
     std::vector<NodeId> places_;
+    std::vector<NearOrigin> origins_;
     std::vector<Candidate> candidates_;
     std::vector<Ray> rays_;
     std::vector<std::uint8_t> blocked_;

@@ -10,8 +10,8 @@ namespace gg {
 
 namespace {
 
-constexpr float kAlmost = 0.9999F;        // of the way to a sender
-constexpr float kInsignificant = 1e-3F;   // share of all unoccluded light; from there on what links know is enough
+constexpr float kAlmost = 0.9999F;       // of the way to a sender
+constexpr float kInsignificant = 1e-3F;  // share of all unoccluded light; from there on what links know is enough
 constexpr std::uint32_t kLeastRays = 4, kMostRays = 256;
 
 }  // namespace
@@ -44,7 +44,8 @@ void FullGather::add_rays(const Fragment& at, Task& task, std::uint32_t count) {
         const float share = static_cast<float>(points.size()) / static_cast<float>(std::max(all, 1U));
         for (std::uint32_t i = 0; i < all; ++i) {
             const Vec3 to = points[i].position - x;
-            const Rgb light = irradiance_from(points[i], share, to, at.shading_normal, 0.5F * node.area / static_cast<float>(all));
+            const Rgb light =
+                irradiance_from(points[i], share, to, at.shading_normal, 0.5F * node.area / static_cast<float>(all));
             if (luminance(light) > 0 && dot(to, at.normal) > 0) {
                 rays_.push_back({x, to, 0, kAlmost});
                 weights_.push_back(1);
@@ -55,7 +56,6 @@ void FullGather::add_rays(const Fragment& at, Task& task, std::uint32_t count) {
         for (std::uint32_t i = 0; i < count; ++i) {
             const SenderPoint point = sender_point(solution_, sender, i, x, at.shading_normal);
             if (point.weight > 0) {
-                // What the shading normal sees through the surface itself is taken for visible from just above it.
                 rays_.push_back({x, point.direction, 0, point.infinite ? kInfinity : kAlmost});
                 weights_.push_back(point.weight);
                 ray_light_.push_back(Rgb(0.0F));
@@ -109,7 +109,13 @@ Rgb FullGather::irradiance(const Fragment& at, float expected) {
     plan(at);
     blocked_.resize(rays_.size());
     tracer_.occluded(rays_, blocked_, RayMask::kLight, Coherence::kCoherent);
-    Rgb sum = near_.irradiance(cut_.near, offset_origin(at.position, at.normal, 1), at.shading_normal);
+    Rgb sum(0.0F);
+    const NearOrigin origin{offset_origin(at.position, at.normal, 1), at.normal};
+    if (!cut_.near.empty()) {
+        near_.for_each_hit(cut_.near, std::span(&origin, 1), [&](Vec3 direction, Rgb irradiance) {
+            sum += std::max(0.0F, dot(at.shading_normal, direction)) * irradiance;
+        });
+    }
     for (const Task& task : tasks_) {
         const CutSender& sender = cut_.senders[task.sender];
         if (task.ray_count == 0) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/parallel.h"
 #include "core/random.h"
@@ -11,7 +12,7 @@ namespace gg {
 
 namespace {
 
-constexpr std::size_t kReceivers = 16;     // of a site
+constexpr std::size_t kReceivers = 32;     // of a site
 constexpr float kFewest = 0.005F;          // share of what is seen that may be nearer or farther than the grid
 constexpr float kBeyond = 1.05F;           // by which the grid reaches farther than that
 constexpr std::size_t kEveryFragment = 7;  // that depths are taken from
@@ -19,50 +20,64 @@ constexpr std::size_t kEveryFragment = 7;  // that depths are taken from
 // A fragment next to a vertex.
 struct Candidate {
     std::uint32_t vertex = 0;
-    std::uint32_t rank = 0;  // by chance
+    std::uint32_t repeats = 0;  // how many of the same place come before it
+    std::uint32_t rank = 0;     // by chance
+    NodeId place = kNone;
     std::uint32_t tile = 0, fragment = 0;
 };
 
-bool comes_first(const Candidate& a, const Candidate& b) {
-    return a.vertex != b.vertex ? a.vertex < b.vertex : a.rank < b.rank;
+bool is_before(const Candidate& a, const Candidate& b) {
+    return std::tie(a.vertex, a.repeats, a.rank) < std::tie(b.vertex, b.repeats, b.rank);
 }
 
-// Leaves the first few of every vertex. `all` is sorted.
+// Leaves few of every vertex, and as many places as there are: each has senders of its own.
 void thin_out(std::vector<Candidate>& all) {
-    std::size_t kept = 0, of_vertex = 0;
+    std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
+        return std::tie(a.vertex, a.place, a.rank) < std::tie(b.vertex, b.place, b.rank);
+    });
     for (std::size_t i = 0; i < all.size(); ++i) {
-        of_vertex = i > 0 && all[i].vertex == all[i - 1].vertex ? of_vertex + 1 : 0;
+        const bool again = i > 0 && all[i].vertex == all[i - 1].vertex && all[i].place == all[i - 1].place;
+        all[i].repeats = again ? all[i - 1].repeats + 1 : 0;
+    }
+    std::sort(all.begin(), all.end(), is_before);
+    std::size_t kept = 0, of_vertex = 0;
+    std::uint32_t vertex = kNone;
+    for (const Candidate& candidate : all) {
+        of_vertex = candidate.vertex == vertex ? of_vertex + 1 : 0;
+        vertex = candidate.vertex;
         if (of_vertex < kReceivers) {
-            all[kept++] = all[i];
+            all[kept++] = candidate;
         }
     }
     all.resize(kept);
 }
 
-std::vector<Candidate> candidates_of(const PerspectiveGrid& grid, const TileFragments& tile, std::uint32_t index) {
+std::vector<Candidate> candidates_of(const Solution& solution, const PerspectiveGrid& grid, const TileFragments& tile,
+                                     std::uint32_t index) {
     std::vector<Candidate> found;
     for (std::uint32_t f = 0; f < tile.fragments.size(); ++f) {
-        const GridPlace place = grid.place(tile.fragments[f].position);
+        const Fragment& at = tile.fragments[f];
+        const GridPlace place = grid.place(at.position);
+        const NodeId node = place_at(solution, at.hit.instance, at.hit.triangle, at.back, at.position);
         const auto rank = static_cast<std::uint32_t>(hash64(index, f));
         for (int k = 0; k < 4; ++k) {
             if (place.weights[k] > 0) {
-                found.push_back({place.vertices[k], rank, index, f});
+                found.push_back({place.vertices[k], 0, rank, node, index, f});
             }
         }
     }
-    std::sort(found.begin(), found.end(), comes_first);
     thin_out(found);
     return found;
 }
 
-Receiver make_receiver(const Solution& solution, const Fragment& at) {
+Receiver make_receiver(const Solution& solution, const Fragment& at, NodeId place) {
     Receiver receiver;
     receiver.position = offset_origin(at.position, at.normal, 1);
     receiver.normal = at.shading_normal;
-    receiver.place = place_at(solution, at.hit.instance, at.hit.triangle, at.back, at.position);
+    receiver.place = place;
     receiver.reflectance = luminance(at.albedo) / std::max(at.share, 1e-6F);
-    receiver.irradiance = luminance(
-        interpolated_irradiance(solution, at.hit.instance, at.hit.triangle, at.back, {at.hit.u, at.hit.v}));
+    receiver.irradiance =
+        luminance(interpolated_irradiance(solution, at.hit.instance, at.hit.triangle, at.back, {at.hit.u, at.hit.v}));
     return receiver;
 }
 
@@ -85,21 +100,19 @@ PerspectiveGrid fit_grid(const View& view, float width, float height, std::span<
     return {view.camera, width, height, settings};
 }
 
-GridReceivers::GridReceivers(const Solution& solution, const View& view, const PerspectiveGrid& grid,
+GridReceivers::GridReceivers(const Solution& solution, const PerspectiveGrid& grid,
                              std::span<const TileFragments> tiles, const Control& control) {
-    (void)view;
     std::vector<Candidate> all = parallel_collect<Candidate>(
         tiles.size(), 1, control, [&](std::size_t begin, std::size_t end, std::vector<Candidate>& out) {
             for (std::size_t i = begin; i < end; ++i) {
-                const auto found = candidates_of(grid, tiles[i], static_cast<std::uint32_t>(i));
+                const auto found = candidates_of(solution, grid, tiles[i], static_cast<std::uint32_t>(i));
                 out.insert(out.end(), found.begin(), found.end());
             }
         });
-    std::stable_sort(all.begin(), all.end(), comes_first);
     thin_out(all);
     receivers_.resize(all.size());
     parallel_for(all.size(), 256, control, [&](std::size_t i) {
-        receivers_[i] = make_receiver(solution, tiles[all[i].tile].fragments[all[i].fragment]);
+        receivers_[i] = make_receiver(solution, tiles[all[i].tile].fragments[all[i].fragment], all[i].place);
     });
     site_of_.assign(grid.vertex_count(), kNone);
     double radiosity = 0;

@@ -20,8 +20,8 @@ class Control;
 // Visible points around every vertex that has any, chosen evenly and without regard to their order.
 class GridReceivers {
   public:
-    GridReceivers(const Solution& solution, const View& view, const PerspectiveGrid& grid,
-                  std::span<const TileFragments> tiles, const Control& control);
+    GridReceivers(const Solution& solution, const PerspectiveGrid& grid, std::span<const TileFragments> tiles,
+                  const Control& control);
 
     [[nodiscard]] std::size_t site_count() const { return begin_.size() - 1; }
     [[nodiscard]] std::span<const Receiver> of(std::size_t site) const {

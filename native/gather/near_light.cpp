@@ -13,19 +13,17 @@ NearLight::NearLight(const Solution& solution, const RayTracer& tracer)
     }
 }
 
-void NearLight::trace(std::span<const NodeId> clusters, Vec3 x, Vec3 n) {
+void NearLight::trace(std::span<const NearOrigin> origins) {
     found_.clear();
-    if (clusters.empty()) {
-        return;
-    }
-    ++stamp_;
-    for (const NodeId cluster : clusters) {
-        marks_[cluster] = stamp_;
-    }
     rays_.clear();
+    std::size_t next = 0;
     for (const Vec3 direction : directions_) {
-        if (dot(direction, n) > 0) {
-            rays_.push_back({x, direction, 0, kInfinity});
+        for (std::size_t tried = 0; tried < origins.size(); ++tried) {
+            const NearOrigin& origin = origins[next++ % origins.size()];
+            if (dot(direction, origin.normal) > 0) {
+                rays_.push_back({origin.position, direction, 0, kInfinity});
+                break;
+            }
         }
     }
     hits_.resize(rays_.size());
@@ -39,25 +37,29 @@ void NearLight::trace(std::span<const NodeId> clusters, Vec3 x, Vec3 n) {
         const bool back = dot(world_area_vector(hierarchy.scene(), hit.instance, hit.triangle), rays_[i].direction) > 0;
         const NodeId place =
             place_at(solution_, hit.instance, hit.triangle, back, rays_[i].origin + hit.distance * rays_[i].direction);
-        if (place == kNone) {
-            continue;
-        }
-        NodeId id = place;
-        while (id != kNone && marks_[id] != stamp_) {
-            id = hierarchy[id].parent;
-        }
-        if (id != kNone) {
-            found_.push_back({rays_[i].direction, is_cluster(hierarchy[place])
-                                                      ? face_radiosity(solution_, hit.instance, hit.triangle, back)
-                                                      : radiosity_of(solution_, place)});
+        if (place != kNone) {
+            const Rgb radiosity = is_cluster(hierarchy[place])
+                                      ? face_radiosity(solution_, hit.instance, hit.triangle, back)
+                                      : radiosity_of(solution_, place);
+            found_.push_back({rays_[i].direction, 2.0F / kNearDirections * radiosity, place});
         }
     }
 }
 
-Rgb NearLight::irradiance(std::span<const NodeId> clusters, Vec3 x, Vec3 n) {
-    Rgb sum(0.0F);
-    for_each_hit(clusters, x, n, [&](Vec3 direction, Rgb radiosity) { sum += 2 * dot(direction, n) * radiosity; });
-    return sum / static_cast<float>(kNearDirections);
+void NearLight::mark(std::span<const NodeId> clusters) {
+    ++stamp_;
+    for (const NodeId cluster : clusters) {
+        marks_[cluster] = stamp_;
+    }
+}
+
+bool NearLight::is_marked(NodeId place) const {
+    const Hierarchy& hierarchy = hierarchy_of(solution_);
+    NodeId id = place;
+    while (id != kNone && marks_[id] != stamp_) {
+        id = hierarchy[id].parent;
+    }
+    return id != kNone;
 }
 
 }  // namespace gg

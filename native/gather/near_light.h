@@ -12,30 +12,45 @@ namespace gg {
 
 inline constexpr std::uint32_t kNearDirections = 128;  // of a hemisphere
 
+// Points that look around together.
+struct NearOrigin {
+    Vec3 position{0.0F};  // off its surface
+    Vec3 normal{0.0F};    // unit
+};
+
 // For one thread.
 class NearLight {
   public:
     NearLight(const Solution& solution, const RayTracer& tracer);
 
-    // Irradiance [W/m2] at x, already off its surface, on unit normal n, from faces in `clusters`.
-    [[nodiscard]] Rgb irradiance(std::span<const NodeId> clusters, Vec3 x, Vec3 n);
-
-    // body(unit direction, radiosity of what is hit) for every ray above n that meets faces in `clusters`; a ray stands
-    // for a share 1 / kNearDirections of 2 pi sr.
+    // body(unit direction, irradiance [W/m2] of a plane that faces it) for every direction in which faces of `clusters`
+    // are met. Each direction is looked into from one of the points that have it above them, in turn: a point alone has
+    // half of all directions.
     template <typename Body>
-    void for_each_hit(std::span<const NodeId> clusters, Vec3 x, Vec3 n, const Body& body) {
-        trace(clusters, x, n);
+    void for_each_hit(std::span<const NodeId> clusters, std::span<const NearOrigin> origins, const Body& body) {
+        trace(origins);
+        for_each_hit_again(clusters, body);
+    }
+    // The same rays, other clusters.
+    template <typename Body>
+    void for_each_hit_again(std::span<const NodeId> clusters, const Body& body) {
+        mark(clusters);
         for (const Found& found : found_) {
-            body(found.direction, found.radiosity);
+            if (is_marked(found.place)) {
+                body(found.direction, found.irradiance);
+            }
         }
     }
+    void trace(std::span<const NearOrigin> origins);
 
   private:
     struct Found {
         Vec3 direction{0.0F};
-        Rgb radiosity{0.0F};
+        Rgb irradiance{0.0F};
+        NodeId place = kNone;
     };
-    void trace(std::span<const NodeId> clusters, Vec3 x, Vec3 n);
+    void mark(std::span<const NodeId> clusters);
+    [[nodiscard]] bool is_marked(NodeId place) const;
 
     const Solution& solution_;
     const RayTracer& tracer_;

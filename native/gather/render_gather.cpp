@@ -17,6 +17,8 @@ namespace gg {
 namespace {
 
 constexpr int kFullSamples = 256;
+constexpr float kDarkest = 0.1F;  // share of the mean radiosity below which places tolerate no less
+constexpr std::size_t kSitesAtOnce = 64;
 
 // What the radiosity solution says of a fragment, luminance [W/m2].
 float expected_irradiance(const Solution& solution, const Fragment& at) {
@@ -62,24 +64,22 @@ ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t
     std::vector<TileFragments> tiles(film.tile_count());
     {
         const StageTimer timer(statistics, "visible points");
-        parallel_for(tiles.size(), 1, control, [&](std::size_t i) {
-            tiles[i] = trace_tile(view, film.tile(static_cast<std::uint32_t>(i)));
-        });
+        parallel_for(tiles.size(), 1, control,
+                     [&](std::size_t i) { tiles[i] = trace_tile(view, film.tile(static_cast<std::uint32_t>(i))); });
     }
     std::vector<Site> sites;
     const ClusterPoints points(solution, control);
     const PerspectiveGrid grid =
         fit_grid(view, static_cast<float>(width), static_cast<float>(height), tiles, GridSettings{});
-    const GridReceivers receivers(solution, view, grid, tiles, control);
+    const GridReceivers receivers(solution, grid, tiles, control);
     {
         const StageTimer timer(statistics, "classification");
         ClassifySettings settings;
-        if (getenv("GG_T")) settings.threshold = (float)atof(getenv("GG_T"));
-        settings.least_radiosity = 0.1F * receivers.mean_radiosity();
+        settings.least_radiosity = kDarkest * receivers.mean_radiosity();
         sites.resize(receivers.site_count());
         std::mutex mutex;
         ClassifyCounts total;
-        parallel_blocks(sites.size(), 64, control, [&](std::size_t begin, std::size_t end) {
+        parallel_blocks(sites.size(), kSitesAtOnce, control, [&](std::size_t begin, std::size_t end) {
             Classifier classifier(solution, points, view.tracer, settings);
             for (std::size_t i = begin; i < end; ++i) {
                 sites[i] = classifier.classify(receivers.of(i));
@@ -125,6 +125,7 @@ ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t
     });
     statistics.set_count("gathered points", static_cast<double>(total.points));
     statistics.set_count("resampled senders", static_cast<double>(total.senders));
+    statistics.set_count("near rays", static_cast<double>(total.near_rays));
     statistics.set_count("form factors", static_cast<double>(total.form_factors));
     statistics.set_count("visibility rays", static_cast<double>(total.visibility_rays));
     const std::uint64_t pixels = std::uint64_t{view.settings.crop.width} * view.settings.crop.height;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/distance.h"
-
 namespace gg {
 
 namespace {

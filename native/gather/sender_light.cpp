@@ -54,13 +54,13 @@ IrradianceVector irradiance_vector(const Solution& solution, NodeId sender, Vec3
     return {size * radiosity_of(solution, sender), size > 0 ? vector / size : Vec3(0, 0, 1)};
 }
 
-Rgb irradiance_from(const FacePoint& point, float share_of_all, Vec3 to, Vec3 n, float area) {
+Rgb irradiance_from(const FacePoint& point, float share, Vec3 to, Vec3 n, float area) {
     const float square = length_squared(to);
     const float cosines = std::max(0.0F, dot(n, to)) * std::max(0.0F, -dot(point.normal, to));
     if (!(cosines > 0)) {
         return Rgb(0.0F);
     }
-    return share_of_all * cosines / (square * (square + area / kPi)) * point.power;
+    return share * cosines / (square * (square + area / kPi)) * point.power;
 }
 
 }  // namespace gg

@@ -2,7 +2,6 @@
 // picture see the same shadows. Every prefix of a sender's points is evenly spread.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,7 +28,6 @@ class ClusterPoints {
 
     // Empty for a dark cluster; else kClusterPoints.
     [[nodiscard]] std::span<const FacePoint> of(NodeId cluster) const;
-    // All faces of the cluster [m2], each with its lit sides.
     [[nodiscard]] std::size_t bytes() const { return points_.capacity() * sizeof(FacePoint); }
 
   private:

@@ -19,11 +19,12 @@ ShadeCounts& ShadeCounts::operator+=(const ShadeCounts& other) {
     senders += other.senders;
     visibility_rays += other.visibility_rays;
     form_factors += other.form_factors;
+    near_rays += other.near_rays;
     return *this;
 }
 
 Shader::Shader(const Solution& solution, const ClusterPoints& points, const RayTracer& tracer)
-    : solution_(solution), points_(points), tracer_(tracer) {}
+    : solution_(solution), points_(points), tracer_(tracer), near_(solution, tracer) {}
 
 // The union of the sites' senders.
 void Shader::plan(std::span<const WeightedSite> sites) {
@@ -124,10 +125,22 @@ Rgb Shader::irradiance(const Fragment& at, std::span<const WeightedSite> sites) 
             weigh(task);
         }
     }
+    const bool looks_around =
+        std::any_of(sites.begin(), sites.end(), [](const WeightedSite& w) { return !w.site->near.empty(); });
+    if (looks_around) {
+        const NearOrigin origin{x, at.normal};
+        near_.trace(std::span(&origin, 1));
+        counts_.near_rays += kNearDirections;
+    }
     Rgb sum(0.0F);
     for (const WeightedSite& weighted : sites) {
         const Site& site = *weighted.site;
-        Rgb light = evaluate_clamped(site.interpolated, at.shading_normal);
+        Rgb light = light_of(site.beams, at.shading_normal);
+        if (!site.near.empty()) {
+            near_.for_each_hit_again(site.near, [&](Vec3 direction, Rgb irradiance) {
+                light += std::max(0.0F, dot(at.shading_normal, direction)) * irradiance;
+            });
+        }
         std::size_t task = 0;
         for (const SiteSender& model : site.senders) {
             while (tasks_[task].sender != model.sender) {
@@ -140,7 +153,7 @@ Rgb Shader::irradiance(const Fragment& at, std::span<const WeightedSite> sites) 
         }
         sum += weighted.weight * light;
     }
-    counts_ += {1, tasks_.size(), rays_.size(), 0};
+    counts_ += {1, tasks_.size(), rays_.size(), 0, 0};
     return sum;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "film/fragments.h"
+#include "gather/near_light.h"
 #include "gather/sender_points.h"
 #include "gather/site.h"
 #include "trace/ray_tracer.h"
@@ -19,7 +20,7 @@ struct WeightedSite {
 };
 
 struct ShadeCounts {
-    std::uint64_t points = 0, senders = 0, visibility_rays = 0, form_factors = 0;
+    std::uint64_t points = 0, senders = 0, visibility_rays = 0, form_factors = 0, near_rays = 0;
     ShadeCounts& operator+=(const ShadeCounts& other);
 };
 
@@ -50,6 +51,7 @@ class Shader {
     const Solution& solution_;
     const ClusterPoints& points_;
     const RayTracer& tracer_;
+    NearLight near_;
     std::vector<Task> tasks_;
     std::vector<Ray> rays_;
     std::vector<float> weights_;

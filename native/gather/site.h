@@ -1,12 +1,13 @@
 // A site: a place where the illumination is understood. It holds a complete model of the light there, sender by sender.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/vec.h"
 #include "radiosity/solution.h"
-#include "transport/directional_form.h"
 
 namespace gg {
 
@@ -14,15 +15,30 @@ namespace gg {
 struct SiteSender {
     NodeId sender = kNone;
     bool resample_form_factor = false, resample_visibility = false;
-    float samples = 0;          // for its visibility
-    float visibility = 0;       // 0..1 at the site
-    Rgb irradiance{0.0F};       // unoccluded, on a plane that faces `direction` [W/m2]
-    Vec3 direction{0.0F};       // unit, to the sender
+    float samples = 0;     // for its visibility
+    float visibility = 0;  // 0..1 at the site
+    Rgb irradiance{0.0F};  // unoccluded, on a plane that faces `direction` [W/m2]
+    Vec3 direction{0.0F};  // unit, to the sender
+};
+
+// A sender, or a direction, whose light needs no closer look: on normal n it brings max(0, n.direction) * irradiance.
+struct Beam {
+    Vec3 direction{0.0F};  // unit
+    Rgb irradiance{0.0F};  // W/m2
 };
 
 struct Site {
     std::vector<SiteSender> senders;  // to be resampled, in ascending order
-    DirectionalForm interpolated;     // what all others bring
+    std::vector<Beam> beams;          // what all others bring
+    std::vector<NodeId> near;         // clusters too close to be senders, to be looked for anew; empty: interpolated
 };
+
+[[nodiscard]] inline Rgb light_of(std::span<const Beam> beams, Vec3 normal) {
+    Rgb sum(0.0F);
+    for (const Beam& beam : beams) {
+        sum += std::max(0.0F, dot(normal, beam.direction)) * beam.irradiance;
+    }
+    return sum;
+}
 
 }  // namespace gg

@@ -1,0 +1,141 @@
+// Whole gathers held against exact light, against random walks, and against one another.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "core/random.h"
+#include "gather/classify.h"
+#include "gather/full_gather.h"
+#include "gather/shade.h"
+#include "oracles/path_irradiance.h"
+#include "support/law_scenes.h"
+#include "trace/surface_point.h"
+
+namespace gg::test {
+namespace {
+
+// A visible point of instance's triangle's front.
+Fragment fragment_at(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, Vec2 weights) {
+    Fragment at;
+    at.hit = {instance, triangle, weights.x, weights.y, 1};
+    const SurfacePoint point = surface_point(scene, at.hit);
+    at.position = point.position;
+    at.normal = point.geometric_normal;
+    at.shading_normal = point.shading_normal;
+    at.share = 1;
+    at.albedo = Rgb(0.5F);
+    return at;
+}
+
+Receiver receiver_at(const Solution& solution, const Fragment& at) {
+    return {offset_origin(at.position, at.normal, 1), at.shading_normal,
+            place_at(solution, at.hit.instance, at.hit.triangle, false, at.position), 0.5F, 1.0F};
+}
+
+struct Gathered {
+    Prepared prepared;
+    std::shared_ptr<const Solution> solution = prepared.solve();
+    ClusterPoints points{*solution, prepared.control};
+
+    explicit Gathered(const SceneDescription& description) : prepared(description) {}
+
+    FullGather full() { return {*solution, points, *prepared.tracer, 256}; }
+    Classifier classifier(float threshold) { return {*solution, points, *prepared.tracer, {256, threshold, 0}}; }
+    Shader shader() { return {*solution, points, *prepared.tracer}; }
+};
+
+// Every face emits 1 W/m2 and reflects half: 2 W/m2 fall everywhere.
+TEST(FullGatherTest, furnace_is_even) {
+    Gathered room(furnace(0.5F, true));
+    FullGather gather = room.full();
+    float mean = 0;
+    for (std::uint32_t wall = 0; wall < 6; ++wall) {
+        for (const Vec2 place : {Vec2(0.3F, 0.3F), Vec2(0.1F, 0.7F)}) {
+            const float light = luminance(gather.irradiance(fragment_at(room.prepared.scene, wall, 0, place), 2));
+            EXPECT_NEAR(light, 2, 0.1F) << wall;  // clusters are 32 points
+            mean += light / 12;
+        }
+    }
+    EXPECT_NEAR(mean, 2, 0.04F);
+    EXPECT_GT(gather.counts().visibility_rays, 12U * 50);
+}
+
+TEST(FullGatherTest, agrees_with_random_walks) {
+    Gathered room(lamp_room(0.5F));
+    FullGather gather = room.full();
+    double ours = 0, truth = 0;
+    for (std::uint32_t wall = 0; wall < 6; ++wall) {
+        const Fragment at = fragment_at(room.prepared.scene, wall, 1, {0.35F, 0.4F});
+        ours += static_cast<double>(gather.irradiance(at, 1).y);  // grey
+        constexpr int kWalks = 20000;
+        for (std::uint64_t walk = 0; walk < kWalks; ++walk) {
+            const oracle::WalkedScene scene{room.prepared.scene, *room.prepared.colors, *room.prepared.tracer};
+            truth += oracle::walked_irradiance(scene, at.position, at.normal, hash64(wall, walk)).y / kWalks;
+        }
+    }
+    EXPECT_NEAR(ours / truth, 1, 0.02);
+}
+
+// At a site on its own, with nothing interpolated, the models are what the full gather does.
+TEST(GridGatherTest, threshold_zero_is_the_full_gather) {
+    Gathered room(lamp_room(0.5F));
+    FullGather full = room.full();
+    Classifier classifier = room.classifier(0);
+    Shader shader = room.shader();
+    for (std::uint32_t wall = 0; wall < 6; ++wall) {
+        const Fragment at = fragment_at(room.prepared.scene, wall, 0, {0.3F, 0.4F});
+        const Receiver receiver = receiver_at(*room.solution, at);
+        const Site site = classifier.classify(std::span(&receiver, 1));
+        const WeightedSite weighted{&site, 1};
+        const float expected = luminance(full.irradiance(at, 1));
+        EXPECT_NEAR(luminance(shader.irradiance(at, std::span(&weighted, 1))) / expected, 1, 0.02F) << wall;
+    }
+}
+
+TEST(GridGatherTest, a_higher_threshold_takes_fewer_rays) {
+    Gathered room(lamp_room(0.5F));
+    const Fragment at = fragment_at(room.prepared.scene, 0, 0, {0.3F, 0.4F});
+    const Receiver receiver = receiver_at(*room.solution, at);
+    std::uint64_t before = ~0ULL;
+    float exact = 0;
+    for (const float threshold : {0.0F, 0.003F, 0.03F, 10.0F}) {
+        Classifier classifier = room.classifier(threshold);
+        Shader shader = room.shader();
+        const Site site = classifier.classify(std::span(&receiver, 1));
+        const WeightedSite weighted{&site, 1};
+        const float light = luminance(shader.irradiance(at, std::span(&weighted, 1)));
+        exact = threshold == 0 ? light : exact;
+        EXPECT_NEAR(light / exact, 1, threshold < 1 ? 0.03F : 0.1F) << threshold;
+        EXPECT_LT(shader.counts().visibility_rays, before);
+        before = shader.counts().visibility_rays;
+    }
+    EXPECT_EQ(before, 0U);
+}
+
+// From one site to another: both ends are the sites' own models, and no step is a jump.
+TEST(GridGatherTest, blends_are_continuous) {
+    Gathered room(lamp_room(0.5F));
+    Classifier classifier = room.classifier(0.01F);
+    Shader shader = room.shader();
+    std::array<Site, 2> sites;
+    for (int k = 0; k < 2; ++k) {
+        const Fragment at = fragment_at(room.prepared.scene, 4, 0, {0.2F + 0.3F * static_cast<float>(k), 0.2F});
+        const Receiver receiver = receiver_at(*room.solution, at);
+        sites[k] = classifier.classify(std::span(&receiver, 1));
+    }
+    constexpr int kSteps = 1000;
+    float before = 0, largest = 0, mean = 0;
+    for (int i = 0; i <= kSteps; ++i) {
+        const float t = static_cast<float>(i) / kSteps;
+        const Fragment at = fragment_at(room.prepared.scene, 4, 0, {0.2F + 0.3F * t, 0.2F});
+        const std::array<WeightedSite, 2> around{WeightedSite{&sites[0], 1 - t}, WeightedSite{&sites[1], t}};
+        const float now = luminance(shader.irradiance(at, around));
+        largest = i > 0 ? std::max(largest, std::abs(now - before)) : 0;
+        before = now;
+        mean += now / kSteps;
+    }
+    EXPECT_LT(largest, 0.05F * mean);  // a few rays out of a hundred that meet an edge at once
+}
+
+}  // namespace
+}  // namespace gg::test

@@ -1,0 +1,78 @@
+// Points on senders, and what they bring.
+#include "gather/sender_points.h"
+
+#include <gtest/gtest.h>
+
+#include "gather/sender_light.h"
+#include "support/law_scenes.h"
+
+namespace gg::test {
+namespace {
+
+TEST(ClusterPoints, power_is_that_of_the_faces) {
+    Prepared prepared(mixed_scene());
+    const auto solution = prepared.solve(0.05F);
+    const Hierarchy& hierarchy = hierarchy_of(*solution);
+    const ClusterPoints points(*solution, prepared.control);
+    int clusters = 0;
+    for (NodeId id = 0; id < hierarchy.nodes().size(); ++id) {
+        const Node& node = hierarchy[id];
+        if (!is_cluster(node) || node.child_count > 0) {
+            continue;
+        }
+        double expected = 0, found = 0;
+        hierarchy.for_each_triangle(node, [&](std::uint32_t instance, std::uint32_t triangle) {
+            for (const bool back : {false, true}) {
+                if (has_side(hierarchy.scene().sides_of(instance, triangle), back)) {
+                    expected +=
+                        static_cast<double>(luminance(face_radiosity(*solution, instance, triangle, back)) / kPi *
+                                            length(world_area_vector(hierarchy.scene(), instance, triangle)));
+                }
+            }
+        });
+        for (const FacePoint& point : points.of(id)) {
+            found += static_cast<double>(luminance(point.power));
+            EXPECT_NEAR(length(point.normal), 1, 1e-4F);
+            EXPECT_LT(length(point.position - node.center), 1.001F * node.radius);
+        }
+        EXPECT_NEAR(found, expected, 1e-3 * expected);
+        ++clusters;
+    }
+    EXPECT_GT(clusters, 3);
+}
+
+// Of a floor element from above: the mean over many points is the closed form.
+TEST(SenderLight, points_of_an_element_agree_with_its_polygon) {
+    Prepared prepared(furnace(0.5F, false));
+    const auto solution = prepared.solve();
+    const Hierarchy& hierarchy = hierarchy_of(*solution);
+    for (NodeId id = 0; id < hierarchy.nodes().size(); ++id) {
+        const Node& node = hierarchy[id];
+        if (node.kind != NodeKind::kElement || node.depth > 0) {
+            continue;
+        }
+        const Vec3 x = node.center + 3.0F * node.normal, n = -node.normal;
+        float sum = 0;
+        constexpr int kCount = 4096;
+        for (std::uint32_t i = 0; i < kCount; ++i) {
+            sum += sender_point(*solution, id, i, x, n).weight / kCount;
+        }
+        const float exact = luminance(unoccluded_irradiance(*solution, id, x, n));
+        const float sampled = sum * node.area / kPi * luminance(radiosity_of(*solution, id));
+        EXPECT_NEAR(sampled / exact, 1, 0.01F);
+        const IrradianceVector vector = irradiance_vector(*solution, id, x);
+        EXPECT_NEAR(luminance(vector.irradiance) * dot(vector.direction, n) / exact, 1, 1e-3F);
+        EXPECT_EQ(luminance(unoccluded_irradiance(*solution, id, node.center - 1.0F * node.normal, node.normal)), 0);
+    }
+}
+
+TEST(SenderLight, a_far_point_of_a_cluster_has_the_inverse_square) {
+    const FacePoint point{{0, 0, 2}, {0, 0, -1}, Rgb(3.0F)};
+    EXPECT_NEAR(irradiance_from(point, 1, point.position, {0, 0, 1}, 1e-6F).x, 3.0F / 4, 1e-5F);
+    EXPECT_NEAR(irradiance_from(point, 2, point.position, {0, 0, 1}, 1e-6F).x, 6.0F / 4, 1e-5F);
+    EXPECT_EQ(irradiance_from(point, 1, -point.position, {0, 0, -1}, 1e-6F).x, 0);    // its back
+    EXPECT_LE(irradiance_from(point, 1, {0, 0, 1e-4F}, {0, 0, 1}, 1.0F).x, 3 * kPi);  // at most that of its disk
+}
+
+}  // namespace
+}  // namespace gg::test
