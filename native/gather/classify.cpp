@@ -14,7 +14,7 @@ constexpr float kAlmost = 0.9999F;  // of the way to a sender
 constexpr std::uint32_t kFewPairs = 2, kLeastPairs = 4, kMostPairs = 64;
 constexpr std::size_t kMostReceivers = 32;
 constexpr float kSettled = 0.1F;  // share of the tolerance from which a sender is looked at closely
-constexpr float kLeastSamples = 4;
+constexpr float kLeastSamples = 1;
 constexpr float kNearError = 0.3F;  // of light from close by when it is interpolated
 
 // Height of the sender's middle above the receiver's horizon, in its radii.

@@ -46,8 +46,8 @@ class FullGather {
     SenderCut cut_;
     std::vector<Task> tasks_;
     std::vector<Ray> rays_;
-    std::vector<float> weights_;    // per ray
-    std::vector<Rgb> ray_light_;    // per ray of clusters
+    std::vector<float> weights_;  // per ray
+    std::vector<Rgb> ray_light_;  // per ray of clusters
     std::vector<std::uint8_t> blocked_;
     GatherCounts counts_;
 };

@@ -79,8 +79,7 @@ CubePlace place_in_cube(Vec3 p, bool odd) {
     } else if (w - u - v > 0) {
         place = {{4, 5, 6, 0}, {w - u - v, u, v, 1 - w}};
     } else {
-        place = {{0, 3, 5, 6},
-                 {1 - (u + v + w) / 2, (u + v - w) / 2, (u + w - v) / 2, (v + w - u) / 2}};
+        place = {{0, 3, 5, 6}, {1 - (u + v + w) / 2, (u + v - w) / 2, (u + w - v) / 2, (v + w - u) / 2}};
     }
     for (int k = 0; k < 4; ++k) {
         place.corners[k] ^= odd ? 1 : 0;

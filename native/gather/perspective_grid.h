@@ -17,7 +17,7 @@ enum class DepthLaw : std::uint8_t {
 };
 
 struct GridSettings {
-    float cell = 20;             // side of a cell, pixels
+    float cell = 20;                       // side of a cell, pixels
     float nearest = 0.1F, farthest = 100;  // m, depth of the first and last layer of vertices; 0 < nearest <= farthest
     DepthLaw law = DepthLaw::kLogarithmic;
 };

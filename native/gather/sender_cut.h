@@ -33,8 +33,8 @@ class CutBuilder {
   public:
     explicit CutBuilder(const Solution& solution);
 
-    // Of the links of all receivers and their ancestors the finest wins. Senders are opened further where they are close
-    // or uneven; what is then still close and a cluster is near.
+    // Of the links of all receivers and their ancestors the finest wins. Senders are opened further where they are
+    // close or uneven; what is then still close and a cluster is near.
     void build(const CutPlace& place, SenderCut& cut);
 
   private:
@@ -56,9 +56,9 @@ class CutBuilder {
 
     const Solution& solution_;
     const Hierarchy& hierarchy_;
-    std::vector<Mark> marks_;                 // per node; valid if stamp_ is theirs
-    std::vector<std::uint32_t> visited_;      // per node: receivers, by stamp
-    std::vector<NodeId> roots_;               // marked nodes without parents
+    std::vector<Mark> marks_;             // per node; valid if stamp_ is theirs
+    std::vector<std::uint32_t> visited_;  // per node: receivers, by stamp
+    std::vector<NodeId> roots_;           // marked nodes without parents
     std::uint32_t stamp_ = 0;
 };
 

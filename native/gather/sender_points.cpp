@@ -114,7 +114,8 @@ ClusterPoints::ClusterPoints(const Solution& solution, const Control& control) {
         std::vector<std::uint32_t> taken(children.size());
         for (std::uint32_t k = 0; k < kClusterPoints && total > 0; ++k) {
             const float target = total * golden(k, hash64(node.stable_id, kChoiceSeed));
-            const auto found = static_cast<std::size_t>(std::upper_bound(sums.begin(), sums.end() - 1, target) - sums.begin());
+            const auto found =
+                static_cast<std::size_t>(std::upper_bound(sums.begin(), sums.end() - 1, target) - sums.begin());
             const Node& child = hierarchy[children[found]];
             const std::uint32_t index = taken[found]++;
             FacePoint& point = points_[first_[*id] + k];
