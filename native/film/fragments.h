@@ -24,10 +24,10 @@ struct Fragment {
 };
 
 struct PixelFragments {
-    std::uint32_t end = 0;   // of the pixel's in TileFragments::fragments; they begin where those of the last one end
-    Rgb emitted{0.0F};       // mean over samples of radiance that needs no light: emission, the world
-    float alpha = 0;         // 0..1
-    float kept = 0;          // share of the samples that are finite; a pixel is the mean of these
+    std::uint32_t end = 0;  // of the pixel's in TileFragments::fragments; they begin where those of the last one end
+    Rgb emitted{0.0F};      // mean over samples of radiance that needs no light: emission, the world
+    float alpha = 0;        // 0..1
+    float kept = 0;         // share of the samples that are finite; a pixel is the mean of these
 };
 
 struct TileFragments {
@@ -50,6 +50,6 @@ using IrradianceAt = std::function<Rgb(const Hit& hit, bool back)>;
 // irradiance [W/m2]: of every fragment. pixels: of the tile. Returns the number of samples that were left out because
 // something about them is not finite.
 std::uint64_t resolve_tile(const View& view, const TileFragments& tile, std::span<const Rgb> irradiance,
-                  std::span<Rgba> pixels);
+                           std::span<Rgba> pixels);
 
 }  // namespace gg

@@ -14,7 +14,8 @@ struct ViewCounts {
     std::uint64_t dropped = 0;  // samples that were not finite
 };
 
-// Fills every tile of the film; irradiance_at is called by many threads at once. Reports stage progress. Throws Cancelled between tiles.
+// Fills every tile of the film; irradiance_at is called by many threads at once. Reports stage progress. Throws
+// Cancelled between tiles.
 ViewCounts render_view(const View& view, const IrradianceAt& irradiance_at, Film& film, Control& control);
 
 }  // namespace gg

@@ -12,8 +12,8 @@ namespace {
 
 constexpr float kAlmost = 0.9999F;  // of the way to a sender
 constexpr std::uint32_t kFewPairs = 2, kLeastPairs = 4, kMostPairs = 64;
-constexpr std::size_t kMostReceivers = 32;
-constexpr float kSettled = 0.1F;  // share of the tolerance from which a sender is looked at closely
+constexpr std::size_t kMeasured = 16;  // receivers that a sender is measured at, of those that it may light
+constexpr float kSettled = 0.1F;       // share of the tolerance from which a sender is looked at closely
 constexpr float kLeastSamples = 1;
 constexpr float kNearError = 0.3F;  // of light from close by when it is interpolated
 
@@ -27,6 +27,14 @@ float height(const Node& node, const Receiver& receiver) {
         return kInfinity;
     }
     return dot(node.center - receiver.position, receiver.normal) / std::max(node.radius, 1e-20F);
+}
+
+// Too close for a few receivers to tell how much its form factor varies.
+bool is_close(const Node& node, const Box& receivers) {
+    constexpr float kClose = 2;  // times the size of both
+    const bool placed = node.kind == NodeKind::kElement || is_cluster(node) ||
+                        (node.kind == NodeKind::kLamp && !std::isinf(node.radius) && node.radius < 1e6F);
+    return placed && length(node.center - receivers.center()) < kClose * (node.radius + 0.5F * receivers.diameter());
 }
 
 bool is_below_horizon(const Node& node, const Receiver& receiver) {
@@ -81,7 +89,7 @@ IrradianceVector Classifier::vector_at(NodeId sender, Vec3 x) const {
 // Over at most `count` of the receivers that the sender may light: what others have of it is nothing anyway.
 void Classifier::measure(Candidate& candidate, std::span<const Receiver> receivers, std::size_t count) {
     const Node& node = hierarchy_of(solution_)[candidate.cut.sender];
-    std::array<Vec3, kMostReceivers> vectors;
+    std::array<Vec3, kMeasured> vectors;
     std::size_t found = 0;
     Rgb sum(0.0F);
     Vec3 mean(0.0F);
@@ -151,17 +159,58 @@ void Classifier::add_rays(Candidate& candidate, std::span<const Receiver> receiv
     candidate.ray_count = static_cast<std::uint32_t>(rays_.size()) - candidate.first_ray;
 }
 
-float Classifier::visibility_of(const Candidate& candidate, bool& mixed) const {
-    if (candidate.ray_count == 0) {
-        mixed = false;
-        return candidate.cut.visibility;
-    }
+// What interpolation may get wrong [eq. 2 and 3], and whether that is too much for this sender alone. tolerance: W/m2.
+void Classifier::judge(Candidate& candidate, float tolerance) {
     std::uint32_t seen = 0;
     for (std::uint32_t k = candidate.first_ray; k < candidate.first_ray + candidate.ray_count; ++k) {
         seen += blocked_[k] ? 0 : 1;
     }
-    mixed = (seen > 0 && seen < candidate.ray_count) || (candidate.cut.visibility > 0 && candidate.cut.visibility < 1);
-    return static_cast<float>(seen) / static_cast<float>(candidate.ray_count);
+    const auto count = static_cast<float>(candidate.ray_count);
+    candidate.visibility = count > 0 ? static_cast<float>(seen) / count : candidate.cut.visibility;
+    if (!candidate.matters) {
+        return;
+    }
+    const float brings = luminance(candidate.irradiance);
+    const float v = candidate.visibility;
+    const bool mixed =
+        (seen > 0 && seen < candidate.ray_count) || (candidate.cut.visibility > 0 && candidate.cut.visibility < 1);
+    // That all rays said the same is no proof.
+    const float doubt = 1 / (count + 2);
+    candidate.resample_visibility = (mixed ? 1 : doubt) * brings > tolerance;
+    candidate.visibility_error = std::max(std::sqrt(v * (1 - v)), doubt) * brings;
+    candidate.form_factor_error =
+        (candidate.resample_visibility ? 1 : v) *
+        std::max({candidate.spread, candidate.spread_bound, candidate.horizon ? brings : 0.0F});
+    candidate.resample_form_factor = candidate.form_factor_error > tolerance;
+}
+
+// Many small errors make a large one: the largest are resampled until what remains is little in sum, and less in the
+// mean of squares.
+void Classifier::keep_to_budget(float tolerance) {
+    constexpr float kSum = 6, kSquares = 2;
+    remaining_.clear();
+    float sum = 0, squares = 0;
+    for (Candidate& candidate : candidates_) {
+        const auto add = [&](float error, bool& resampled) {
+            if (!resampled && error > 0) {
+                remaining_.push_back({error, &resampled});
+                sum += error;
+                squares += error * error;
+            }
+        };
+        add(candidate.form_factor_error, candidate.resample_form_factor);
+        add(candidate.visibility_error, candidate.resample_visibility);
+    }
+    std::stable_sort(remaining_.begin(), remaining_.end(),
+                     [](const Remaining& a, const Remaining& b) { return a.error > b.error; });
+    for (const Remaining& item : remaining_) {
+        if (sum <= kSum * tolerance && squares <= kSquares * kSquares * tolerance * tolerance) {
+            return;
+        }
+        *item.resampled = true;
+        sum -= item.error;
+        squares -= item.error * item.error;
+    }
 }
 
 // tolerance: W/m2
@@ -189,7 +238,6 @@ void Classifier::add_near_light(std::span<const Receiver> receivers, float toler
 }
 
 Site Classifier::classify(std::span<const Receiver> receivers) {
-    receivers = receivers.first(std::min<std::size_t>(receivers.size(), kMostReceivers));
     Box bounds;
     float irradiance = 0, radiosity = 0, reflectance = 0;
     places_.clear();
@@ -221,37 +269,36 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
         }
     }
     for (Candidate& candidate : candidates_) {
-        candidate.matters = bound(candidate.cut.sender, bounds) > kSettled * in_irradiance;
+        const float most = bound(candidate.cut.sender, bounds);
+        candidate.matters = most > kSettled * in_irradiance;
+        if (is_close(hierarchy_of(solution_)[candidate.cut.sender], bounds)) {
+            candidate.spread_bound = most;
+        }
         if (!candidate.matters) {
             add_rays(candidate, receivers, kFewPairs);
         } else {
             const float wanted = static_cast<float>(settings_.samples) * luminance(candidate.irradiance) / all;
-            measure(candidate, receivers, receivers.size());
+            measure(candidate, receivers, kMeasured);
             add_rays(candidate, receivers, std::clamp(static_cast<std::uint32_t>(wanted), kLeastPairs, kMostPairs));
         }
     }
     blocked_.resize(rays_.size());
     tracer_.occluded(rays_, blocked_, RayMask::kLight, Coherence::kIncoherent);
+    for (Candidate& candidate : candidates_) {
+        judge(candidate, in_irradiance);
+    }
+    keep_to_budget(in_irradiance);
     for (const Candidate& candidate : candidates_) {
-        bool mixed = false;
-        const float visibility = visibility_of(candidate, mixed);
-        const float brings = luminance(candidate.irradiance);
-        SiteSender sender{candidate.cut.sender, false, false, 0, visibility, candidate.irradiance, candidate.direction};
-        if (candidate.matters) {
-            const float form_factor_error = std::max(candidate.spread, candidate.horizon ? brings : 0.0F) * visibility;
-            sender.resample_form_factor = form_factor_error > in_irradiance;
-            // That all rays said the same is no proof.
-            const float doubt = mixed ? 1.0F : 1 / (static_cast<float>(candidate.ray_count) + 2);
-            sender.resample_visibility = doubt * brings > in_irradiance;
-            sender.samples = std::max(kLeastSamples, static_cast<float>(settings_.samples) * brings / all);
-        }
-        if (sender.resample_form_factor || sender.resample_visibility) {
-            counts_.both += sender.resample_form_factor && sender.resample_visibility;
-            counts_.only_visibility += !sender.resample_form_factor;
-            counts_.only_form_factor += !sender.resample_visibility;
-            site.senders.push_back(sender);
+        if (candidate.resample_form_factor || candidate.resample_visibility) {
+            counts_.both += candidate.resample_form_factor && candidate.resample_visibility;
+            counts_.only_visibility += !candidate.resample_form_factor;
+            counts_.only_form_factor += !candidate.resample_visibility;
+            const float samples = static_cast<float>(settings_.samples) * luminance(candidate.irradiance) / all;
+            site.senders.push_back({candidate.cut.sender, candidate.resample_form_factor, candidate.resample_visibility,
+                                    std::max(kLeastSamples, samples), candidate.visibility, candidate.irradiance,
+                                    candidate.direction});
         } else {
-            site.beams.push_back({candidate.direction, visibility * candidate.irradiance});
+            site.beams.push_back({candidate.direction, candidate.visibility * candidate.irradiance});
         }
     }
     std::sort(site.senders.begin(), site.senders.end(),

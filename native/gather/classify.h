@@ -24,7 +24,7 @@ struct Receiver {
 
 struct ClassifySettings {
     int samples = 256;          // visibility rays of a point, N of eq. 1
-    float threshold = 0.0035F;  // error of a sender that is not seen, as a share of the local radiosity: a quarter of
+    float threshold = 0.014F;   // error of a sender that is not seen, as a share of the local radiosity: a quarter of
                                 // 1.4 %, which one alone may have
     float least_radiosity = 0;  // W/m2: darker places tolerate no less than this one
 };
@@ -50,11 +50,20 @@ class Classifier {
         CutSender cut;
         Rgb irradiance{0.0F};  // unoccluded, of a plane that faces the mean direction
         Vec3 direction{0.0F};
-        float spread = 0;      // of the irradiance vector over the receivers, W/m2
-        bool horizon = false;  // lies in part below the horizon of some receiver
-        float largest = 0;     // W/m2
-        bool matters = false;  // somewhere around
+        float spread = 0;        // of the irradiance vector over the receivers, W/m2
+        float spread_bound = 0;  // the same where receivers are too few to tell
+        bool horizon = false;    // lies in part below the horizon of some receiver
+        float largest = 0;       // W/m2
+        bool matters = false;    // somewhere around
         std::uint32_t first_ray = 0, ray_count = 0;
+        float visibility = 0;                               // 0..1
+        float form_factor_error = 0, visibility_error = 0;  // W/m2
+        bool resample_form_factor = false, resample_visibility = false;
+    };
+    // An error that is left to interpolation.
+    struct Remaining {
+        float error = 0;
+        bool* resampled = nullptr;
     };
 
     void measure(Candidate& candidate, std::span<const Receiver> receivers, std::size_t count);
@@ -62,7 +71,8 @@ class Classifier {
     [[nodiscard]] float bound(NodeId sender, const Box& box) const;
     void add_rays(Candidate& candidate, std::span<const Receiver> receivers, std::uint32_t count);
     void add_near_light(std::span<const Receiver> receivers, float tolerance, Site& site);
-    [[nodiscard]] float visibility_of(const Candidate& candidate, bool& mixed) const;
+    void judge(Candidate& candidate, float tolerance);
+    void keep_to_budget(float tolerance);
 
     const Solution& solution_;
     const ClusterPoints& points_;
@@ -74,6 +84,7 @@ class Classifier {
     std::vector<NodeId> places_;
     std::vector<NearOrigin> origins_;
     std::vector<Candidate> candidates_;
+    std::vector<Remaining> remaining_;
     std::vector<Ray> rays_;
     std::vector<std::uint8_t> blocked_;
     ClassifyCounts counts_;

@@ -12,7 +12,7 @@ namespace gg {
 
 namespace {
 
-constexpr std::size_t kReceivers = 32;     // of a site
+constexpr std::size_t kReceivers = 200;    // of a site
 constexpr float kFewest = 0.005F;          // share of what is seen that may be nearer or farther than the grid
 constexpr float kBeyond = 1.05F;           // by which the grid reaches farther than that
 constexpr std::size_t kEveryFragment = 7;  // that depths are taken from

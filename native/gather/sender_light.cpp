@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radiosity/quarter.h"
 #include "transport/form_factor.h"
 #include "transport/sky_cell.h"
 
@@ -10,7 +11,9 @@ namespace gg {
 
 namespace {
 
-constexpr int kSkySide = 4;  // directions of a cell along each side
+constexpr int kSkySide = 4;              // directions of a cell along each side
+constexpr float kFar = 5, kNear = 2.5F;  // in radii: an element is even from the first on, linear from the second
+constexpr int kLevels = 1;               // of quarters of a linear element
 
 template <typename Body>
 void for_each_direction(const Node& cell, const Body& body) {
@@ -18,6 +21,19 @@ void for_each_direction(const Node& cell, const Body& body) {
         body(cell_direction(sky_cell_of(cell), (static_cast<float>(i % kSkySide) + 0.5F) / kSkySide,
                             (static_cast<float>(i / kSkySide) + 0.5F) / kSkySide));
     }
+}
+
+// Of a triangle whose radiosity is linear, by parts in which it is even.
+Rgb from_part(Vec3 x, Vec3 n, const std::array<Vec3, 3>& corners, const std::array<Rgb, 3>& radiosity, int levels) {
+    if (levels == 0) {
+        return point_to_triangle(x, n, corners[0], corners[1], corners[2]) *
+               (radiosity[0] + radiosity[1] + radiosity[2]) / 3.0F;
+    }
+    Rgb sum(0.0F);
+    for (int quarter = 0; quarter < kQuarters; ++quarter) {
+        sum += from_part(x, n, quarter_of(corners, quarter), quarter_of(radiosity, quarter), levels - 1);
+    }
+    return sum;
 }
 
 }  // namespace
@@ -35,7 +51,18 @@ Rgb unoccluded_irradiance(const Solution& solution, NodeId sender, Vec3 x, Vec3 
     if (!(dot(x - node.corner[0], node.normal) > 0)) {
         return Rgb(0.0F);
     }
-    return point_to_triangle(x, n, node.corner[0], node.corner[1], node.corner[2]) * radiosity_of(solution, sender);
+    const float distance = length(node.center - x) / node.radius;
+    if (node.child_count > 0 || distance >= kFar) {
+        return point_to_triangle(x, n, node.corner[0], node.corner[1], node.corner[2]) * radiosity_of(solution, sender);
+    }
+    // Close by the course of its light over the element counts, the more the closer.
+    const float closeness = std::clamp((kFar - distance) / (kFar - kNear), 0.0F, 1.0F);
+    auto corners = corner_radiosity(solution, sender);
+    const Rgb mean = radiosity_of(solution, sender);
+    for (Rgb& corner : corners) {
+        corner = glm::mix(mean, corner, closeness);
+    }
+    return from_part(x, n, node.corner, corners, kLevels);
 }
 
 IrradianceVector irradiance_vector(const Solution& solution, NodeId sender, Vec3 x) {

@@ -31,6 +31,26 @@ float spread_of(const Solution& solution, NodeId node) {
     return solution.lighting.spread(node);
 }
 
+std::array<Rgb, 3> corner_radiosity(const Solution& solution, NodeId leaf_element) {
+    const Node& node = solution.hierarchy[leaf_element];
+    const InstanceVertices& vertices = solution.vertices[node.instance];
+    const std::vector<Rgb>& values = node.back ? vertices.back : vertices.front;
+    const Rgb mean = solution.lighting.radiosity(leaf_element);
+    if (values.empty()) {
+        return {mean, mean, mean};
+    }
+    std::array<Rgb, 3> corners;
+    for (int k = 0; k < 3; ++k) {
+        corners[k] = values[solution.element_vertices[leaf_element].vertices[k]];
+    }
+    const Rgb reflected = mean - node.emission;
+    const Rgb middle = (corners[0] + corners[1] + corners[2]) / 3.0F;
+    for (Rgb& corner : corners) {
+        corner = node.emission + reflected * corner / glm::max(middle, Rgb(1e-12F));
+    }
+    return corners;
+}
+
 Rgb face_radiosity(const Solution& solution, std::uint32_t instance, std::uint32_t triangle, bool back) {
     const SceneFaces& faces = solution.hierarchy.faces();
     const FaceColors& colors = faces.colors[faces.instance_colors[instance]];

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include <array>
 #include <span>
 
 #include "core/vec.h"
@@ -35,6 +36,10 @@ struct Solution;  // radiosity/solution_data.h; immutable, may be read by many t
 [[nodiscard]] Rgb radiosity_of(const Solution& solution, NodeId node);
 // Standard deviation of its luminance over the node's faces, W/m2.
 [[nodiscard]] float spread_of(const Solution& solution, NodeId node);
+
+// At the corners of an undivided element, W/m2: between it and its neighbours, scaled so that the mean is the
+// element's.
+[[nodiscard]] std::array<Rgb, 3> corner_radiosity(const Solution& solution, NodeId leaf_element);
 
 // Of a side of a triangle in a leaf cluster, W/m2.
 [[nodiscard]] Rgb face_radiosity(const Solution& solution, std::uint32_t instance, std::uint32_t triangle, bool back);

@@ -74,5 +74,53 @@ TEST(SenderLight, a_far_point_of_a_cluster_has_the_inverse_square) {
     EXPECT_LE(irradiance_from(point, 1, {0, 0, 1e-4F}, {0, 0, 1}, 1.0F).x, 3 * kPi);  // at most that of its disk
 }
 
+TEST(SenderLight, corners_have_the_elements_mean_and_differ_where_light_does) {
+    Prepared prepared(lamp_room(0.5F));
+    const auto solution = prepared.solve();
+    const Hierarchy& hierarchy = hierarchy_of(*solution);
+    int uneven = 0;
+    for (NodeId id = 0; id < hierarchy.nodes().size(); ++id) {
+        if (hierarchy[id].kind == NodeKind::kElement && hierarchy[id].child_count == 0) {
+            const auto corners = corner_radiosity(*solution, id);
+            const float mean = luminance(corners[0] + corners[1] + corners[2]) / 3;
+            EXPECT_NEAR(mean, luminance(radiosity_of(*solution, id)), 1e-4F * mean);
+            uneven += std::abs(luminance(corners[0]) - mean) > 0.1F * mean;
+        }
+    }
+    EXPECT_GT(uneven, 10);
+}
+
+// From afar an element is even, close by it is brighter where its bright corner is; in between nothing jumps.
+TEST(SenderLight, elements_become_linear_without_a_jump) {
+    Prepared prepared(lamp_room(0.5F));
+    const auto solution = prepared.solve();
+    const Hierarchy& hierarchy = hierarchy_of(*solution);
+    NodeId chosen = kNone;
+    float most = 0;
+    for (NodeId id = 0; id < hierarchy.nodes().size(); ++id) {
+        if (hierarchy[id].kind == NodeKind::kElement && hierarchy[id].child_count == 0) {
+            const auto corners = corner_radiosity(*solution, id);
+            const float difference = luminance(corners[0]) - luminance(corners[1]);
+            if (difference > most) {
+                most = difference;
+                chosen = id;
+            }
+        }
+    }
+    ASSERT_NE(chosen, kNone);
+    const Node& node = hierarchy[chosen];
+    const auto at = [&](float share, float height) {
+        const Vec3 x = glm::mix(node.corner[1], node.corner[0], share) + height * node.radius * node.normal;
+        return luminance(unoccluded_irradiance(*solution, chosen, x, -node.normal));
+    };
+    EXPECT_GT(at(0.9F, 0.3F), 1.02F * at(0.1F, 0.3F));
+    float before = at(0.5F, 7);
+    for (float height = 7; height > 0.5F; height -= 0.002F) {
+        const float now = at(0.5F, height);
+        EXPECT_NEAR(now, before, 0.01F * now) << height;
+        before = now;
+    }
+}
+
 }  // namespace
 }  // namespace gg::test
