@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "gather/error_budget.h"
 #include "gather/sender_light.h"
 
 namespace gg {
@@ -184,32 +186,21 @@ void Classifier::judge(Candidate& candidate, float tolerance) {
     candidate.resample_form_factor = candidate.form_factor_error > tolerance;
 }
 
-// Many small errors make a large one: the largest are resampled until what remains is little in sum, and less in the
-// mean of squares.
+// Resamples more where the errors that are left add up to too much.
 void Classifier::keep_to_budget(float tolerance) {
-    constexpr float kSum = 6, kSquares = 2;
-    remaining_.clear();
-    float sum = 0, squares = 0;
+    errors_.clear();
+    resampled_.clear();
     for (Candidate& candidate : candidates_) {
-        const auto add = [&](float error, bool& resampled) {
-            if (!resampled && error > 0) {
-                remaining_.push_back({error, &resampled});
-                sum += error;
-                squares += error * error;
+        for (const auto& [error, resampled] : {std::pair(candidate.form_factor_error, &candidate.resample_form_factor),
+                                               std::pair(candidate.visibility_error, &candidate.resample_visibility)}) {
+            if (!*resampled) {
+                errors_.push_back(error);
+                resampled_.push_back(resampled);
             }
-        };
-        add(candidate.form_factor_error, candidate.resample_form_factor);
-        add(candidate.visibility_error, candidate.resample_visibility);
-    }
-    std::stable_sort(remaining_.begin(), remaining_.end(),
-                     [](const Remaining& a, const Remaining& b) { return a.error > b.error; });
-    for (const Remaining& item : remaining_) {
-        if (sum <= kSum * tolerance && squares <= kSquares * kSquares * tolerance * tolerance) {
-            return;
         }
-        *item.resampled = true;
-        sum -= item.error;
-        squares -= item.error * item.error;
+    }
+    for (const std::size_t i : beyond_budget(errors_, tolerance)) {
+        *resampled_[i] = true;
     }
 }
 

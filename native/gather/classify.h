@@ -60,11 +60,6 @@ class Classifier {
         float form_factor_error = 0, visibility_error = 0;  // W/m2
         bool resample_form_factor = false, resample_visibility = false;
     };
-    // An error that is left to interpolation.
-    struct Remaining {
-        float error = 0;
-        bool* resampled = nullptr;
-    };
 
     void measure(Candidate& candidate, std::span<const Receiver> receivers, std::size_t count);
     [[nodiscard]] IrradianceVector vector_at(NodeId sender, Vec3 x) const;
@@ -84,7 +79,8 @@ class Classifier {
     std::vector<NodeId> places_;
     std::vector<NearOrigin> origins_;
     std::vector<Candidate> candidates_;
-    std::vector<Remaining> remaining_;
+    std::vector<float> errors_;     // that are left to interpolation
+    std::vector<bool*> resampled_;  // whether each shall not be
     std::vector<Ray> rays_;
     std::vector<std::uint8_t> blocked_;
     ClassifyCounts counts_;

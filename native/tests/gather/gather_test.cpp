@@ -137,5 +137,33 @@ TEST(GridGatherTest, blends_are_continuous) {
     EXPECT_LT(largest, 0.05F * mean);  // a few rays out of a hundred that meet an edge at once
 }
 
+// One site for a stretch of floor from below the cube, in its shadow, out into the light.
+TEST(GridGatherTest, one_site_knows_a_shadow_that_falls_across_it) {
+    Gathered room(lamp_room(0.5F));
+    FullGather full = room.full();
+    Classifier classifier = room.classifier(0.014F);
+    Shader shader = room.shader();
+    std::vector<Fragment> points;
+    std::vector<Receiver> receivers;
+    for (int k = 0; k < 24; ++k) {
+        points.push_back(fragment_at(room.prepared.scene, 4, 0, {0.03F + 0.025F * static_cast<float>(k), 0.3F}));
+        receivers.push_back(receiver_at(*room.solution, points.back()));
+    }
+    const Site site = classifier.classify(receivers);
+    const WeightedSite weighted{&site, 1};
+    float least = kInfinity, most = 0, worst = 0, mean = 0;
+    for (const Fragment& at : points) {
+        const float expected = luminance(full.irradiance(at, 1));
+        const float found = luminance(shader.irradiance(at, std::span(&weighted, 1)));
+        least = std::min(least, expected);
+        most = std::max(most, expected);
+        worst = std::max(worst, std::abs(found / expected - 1));
+        mean += (found - expected) / expected / 24;
+    }
+    EXPECT_LT(least, 0.7F * most);
+    EXPECT_LT(worst, 0.08F);
+    EXPECT_LT(std::abs(mean), 0.03F);
+}
+
 }  // namespace
 }  // namespace gg::test
