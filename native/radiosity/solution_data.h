@@ -41,7 +41,7 @@ struct Solution {
     ElementTable elements;
     ClusterTable clusters;
     std::vector<std::uint32_t> link_begin;  // per node, into links.all, which is in the order of receivers; and the end
-    GatheredLight face_light;                       // of faces in clusters
+    GatheredLight face_light;               // of faces in clusters
     std::vector<InstanceVertices> vertices;         // per instance
     std::vector<ElementVertices> element_vertices;  // per node; set for leaf elements
 };

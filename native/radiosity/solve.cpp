@@ -98,8 +98,7 @@ int face_rays(float quality) {
 // From now on links stand in the order of their receivers.
 void sort_links(Solution& solution) {
     std::vector<Link>& links = solution.links.all;
-    std::stable_sort(links.begin(), links.end(),
-                     [](const Link& a, const Link& b) { return a.receiver < b.receiver; });
+    std::stable_sort(links.begin(), links.end(), [](const Link& a, const Link& b) { return a.receiver < b.receiver; });
     solution.link_begin.assign(solution.hierarchy.nodes().size() + 1, 0);
     for (const Link& link : links) {
         ++solution.link_begin[link.receiver + 1];
