@@ -1,7 +1,10 @@
 #include "gather/render_gather.h"
 
+#include <array>
 #include <atomic>
+#include <functional>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "core/control.h"
@@ -26,17 +29,33 @@ float expected_irradiance(const Solution& solution, const Fragment& at) {
         interpolated_irradiance(solution, at.hit.instance, at.hit.triangle, at.back, {at.hit.u, at.hit.v}));
 }
 
+// Fills the film, tile by tile: what light_of(tile) gives for the fragments of tile_at(index).
+ViewCounts fill_tiles(const View& view, Film& film, Control& control,
+                      const std::function<TileFragments(std::uint32_t)>& tile_at,
+                      const std::function<std::vector<Rgb>(const TileFragments&)>& light_of) {
+    std::atomic<std::uint64_t> dropped{0};
+    std::atomic<std::uint32_t> finished{0};
+    parallel_for(film.tile_count(), 1, control, [&](std::size_t i) {
+        const auto index = static_cast<std::uint32_t>(i);
+        const TileFragments tile = tile_at(index);
+        const std::vector<Rgb> irradiance = light_of(tile);
+        std::vector<Rgba> pixels(tile.pixels.size());
+        dropped += resolve_tile(view, tile, irradiance, pixels);
+        film.finish_tile(index, pixels);
+        control.set_stage_progress(static_cast<float>(++finished) / static_cast<float>(film.tile_count()));
+    });
+    const std::uint64_t pixels = std::uint64_t{view.settings.crop.width} * view.settings.crop.height;
+    return {pixels * view.settings.samples, dropped};
+}
+
 }  // namespace
 
 ViewCounts full_gather(const Solution& solution, const View& view, Film& film, Control& control,
                        Statistics& statistics) {
     const ClusterPoints points(solution, control);
-    std::atomic<std::uint64_t> dropped{0};
-    std::atomic<std::uint32_t> finished{0};
     std::mutex mutex;
     GatherCounts total;
-    parallel_for(film.tile_count(), 1, control, [&](std::size_t index) {
-        const TileFragments tile = trace_tile(view, film.tile(static_cast<std::uint32_t>(index)));
+    const auto light_of = [&](const TileFragments& tile) {
         FullGather gather(solution, points, view.tracer, kFullSamples);
         std::vector<Rgb> irradiance;
         irradiance.reserve(tile.fragments.size());
@@ -44,19 +63,17 @@ ViewCounts full_gather(const Solution& solution, const View& view, Film& film, C
             control.check_cancel();
             irradiance.push_back(gather.irradiance(fragment, expected_irradiance(solution, fragment)));
         }
-        std::vector<Rgba> pixels(tile.pixels.size());
-        dropped += resolve_tile(view, tile, irradiance, pixels);
-        film.finish_tile(static_cast<std::uint32_t>(index), pixels);
-        control.set_stage_progress(static_cast<float>(++finished) / static_cast<float>(film.tile_count()));
         const std::scoped_lock lock(mutex);
         total += gather.counts();
-    });
+        return irradiance;
+    };
+    const ViewCounts counts = fill_tiles(
+        view, film, control, [&](std::uint32_t index) { return trace_tile(view, film.tile(index)); }, light_of);
     statistics.set_count("gathered points", static_cast<double>(total.points));
     statistics.set_count("resampled senders", static_cast<double>(total.senders));
     statistics.set_count("visibility rays", static_cast<double>(total.visibility_rays));
     statistics.set_count("near rays", static_cast<double>(total.near_rays));
-    const std::uint64_t pixels = std::uint64_t{view.settings.crop.width} * view.settings.crop.height;
-    return {pixels * view.settings.samples, dropped};
+    return counts;
 }
 
 ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t width, std::uint32_t height,
@@ -96,16 +113,14 @@ ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t
         statistics.set_count("senders resampled: form factor", static_cast<double>(total.only_form_factor));
     }
     const StageTimer timer(statistics, "shading");
-    std::atomic<std::uint64_t> dropped{0};
-    std::atomic<std::uint32_t> finished{0};
     std::mutex mutex;
     ShadeCounts total;
-    parallel_for(tiles.size(), 1, control, [&](std::size_t index) {
+    const auto light_of = [&](const TileFragments& tile) {
         Shader shader(solution, points, view.tracer);
-        const TileFragments& tile = tiles[index];
         std::vector<Rgb> irradiance;
         irradiance.reserve(tile.fragments.size());
         for (const Fragment& fragment : tile.fragments) {
+            control.check_cancel();
             const GridPlace place = grid.place(fragment.position);
             std::array<WeightedSite, 4> around;
             std::size_t count = 0;
@@ -116,20 +131,18 @@ ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t
             }
             irradiance.push_back(shader.irradiance(fragment, std::span(around).first(count)));
         }
-        std::vector<Rgba> pixels(tile.pixels.size());
-        dropped += resolve_tile(view, tile, irradiance, pixels);
-        film.finish_tile(static_cast<std::uint32_t>(index), pixels);
-        control.set_stage_progress(static_cast<float>(++finished) / static_cast<float>(film.tile_count()));
         const std::scoped_lock lock(mutex);
         total += shader.counts();
-    });
+        return irradiance;
+    };
+    const ViewCounts counts = fill_tiles(
+        view, film, control, [&](std::uint32_t index) { return std::move(tiles[index]); }, light_of);
     statistics.set_count("gathered points", static_cast<double>(total.points));
     statistics.set_count("resampled senders", static_cast<double>(total.senders));
     statistics.set_count("near rays", static_cast<double>(total.near_rays));
     statistics.set_count("form factors", static_cast<double>(total.form_factors));
     statistics.set_count("visibility rays", static_cast<double>(total.visibility_rays));
-    const std::uint64_t pixels = std::uint64_t{view.settings.crop.width} * view.settings.crop.height;
-    return {pixels * view.settings.samples, dropped};
+    return counts;
 }
 
 }  // namespace gg
