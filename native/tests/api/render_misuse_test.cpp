@@ -43,8 +43,8 @@ TEST_F(RenderMisuse, start_needs_its_arguments) {
 
 TEST_F(RenderMisuse, settings_out_of_range_are_refused) {
     const std::function<void(gg_settings&)> faults[] = {
-        [](gg_settings& s) { s.method = 0; },
-        [](gg_settings& s) { s.method = 99; },
+        [](gg_settings& s) { s.method = -1; },
+        [](gg_settings& s) { s.method = 3; },
         [](gg_settings& s) { s.width = 0; },
         [](gg_settings& s) { s.height = 65537; },
         [](gg_settings& s) { s.crop[2] = 10; },
