@@ -98,7 +98,9 @@ int face_rays(float quality) {
 // From now on links stand in the order of their receivers.
 void sort_links(Solution& solution) {
     std::vector<Link>& links = solution.links.all;
-    std::stable_sort(links.begin(), links.end(), [](const Link& a, const Link& b) { return a.receiver < b.receiver; });
+    std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) {
+        return a.receiver != b.receiver ? a.receiver < b.receiver : a.sender < b.sender;
+    });
     solution.link_begin.assign(solution.hierarchy.nodes().size() + 1, 0);
     for (const Link& link : links) {
         ++solution.link_begin[link.receiver + 1];
