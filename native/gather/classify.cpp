@@ -7,6 +7,7 @@
 
 #include "gather/error_budget.h"
 #include "gather/sender_light.h"
+#include "gather/sender_place.h"
 
 namespace gg {
 
@@ -19,45 +20,7 @@ constexpr float kSettled = 0.1F;       // share of the tolerance from which a se
 constexpr float kLeastSamples = 1;
 constexpr float kNearError = 0.3F;  // of light from close by when it is interpolated
 
-// Height of the sender's middle above the receiver's horizon, in its radii.
-float height(const Node& node, const Receiver& receiver) {
-    if (node.kind == NodeKind::kSky) {
-        constexpr float kTall = 2.5F;  // cells near the horizon are longer than their radius
-        return dot(node.center, receiver.normal) / (kTall * node.radius);
-    }
-    if (node.kind == NodeKind::kLamp && std::isinf(node.radius)) {
-        return kInfinity;
-    }
-    return dot(node.center - receiver.position, receiver.normal) / std::max(node.radius, 1e-20F);
-}
-
-// Too close for a few receivers to tell how much its form factor varies.
-bool is_close(const Node& node, const Box& receivers) {
-    constexpr float kClose = 2;  // times the size of both
-    const bool placed = node.kind == NodeKind::kElement || is_cluster(node) ||
-                        (node.kind == NodeKind::kLamp && !std::isinf(node.radius) && node.radius < 1e6F);
-    return placed && length(node.center - receivers.center()) < kClose * (node.radius + 0.5F * receivers.diameter());
-}
-
-bool is_below_horizon(const Node& node, const Receiver& receiver) {
-    return height(node, receiver) < -1;
-}
-
-bool crosses_horizon(const Node& node, const Receiver& receiver) {
-    return std::abs(height(node, receiver)) < 1;
-}
-
 }  // namespace
-
-ClassifyCounts& ClassifyCounts::operator+=(const ClassifyCounts& other) {
-    sites += other.sites;
-    senders += other.senders;
-    rays += other.rays;
-    both += other.both;
-    only_visibility += other.only_visibility;
-    only_form_factor += other.only_form_factor;
-    return *this;
-}
 
 Classifier::Classifier(const Solution& solution, const ClusterPoints& points, const RayTracer& tracer,
                        const ClassifySettings& settings)
@@ -90,13 +53,14 @@ IrradianceVector Classifier::vector_at(NodeId sender, Vec3 x) const {
 
 // Over at most `count` of the receivers that the sender may light: what others have of it is nothing anyway.
 void Classifier::measure(Candidate& candidate, std::span<const Receiver> receivers, std::size_t count) {
+    const Scene& scene = hierarchy_of(solution_).scene();
     const Node& node = hierarchy_of(solution_)[candidate.cut.sender];
     std::array<Vec3, kMeasured> vectors;
     std::size_t found = 0;
     Rgb sum(0.0F);
     Vec3 mean(0.0F);
     for (const Receiver& receiver : receivers) {
-        if (found == count || is_below_horizon(node, receiver)) {
+        if (found == count || is_below_horizon(scene, node, receiver.position, receiver.normal)) {
             continue;
         }
         const IrradianceVector v = vector_at(candidate.cut.sender, receiver.position);
@@ -106,7 +70,7 @@ void Classifier::measure(Candidate& candidate, std::span<const Receiver> receive
             sum += v.irradiance;
             mean += size * v.direction;
             candidate.largest = std::max(candidate.largest, size);
-            candidate.horizon = candidate.horizon || crosses_horizon(node, receiver);
+            candidate.horizon = candidate.horizon || crosses_horizon(scene, node, receiver.position, receiver.normal);
         }
     }
     if (found == 0) {
@@ -217,7 +181,7 @@ void Classifier::add_near_light(std::span<const Receiver> receivers, float toler
     near_.for_each_hit(cut_.near, origins_, [&](Vec3 direction, Rgb irradiance) {
         site.beams.push_back({direction, irradiance});
     });
-    counts_.rays += 2 * kNearDirections;
+    counts_.near_rays += 2 * kNearDirections;
     float most = 0;
     for (const NearOrigin& origin : origins_) {
         most = std::max(most, luminance(light_of(std::span(site.beams).subspan(first), origin.normal)));
@@ -262,7 +226,7 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
     for (Candidate& candidate : candidates_) {
         const float most = bound(candidate.cut.sender, bounds);
         candidate.matters = most > kSettled * in_irradiance;
-        if (is_close(hierarchy_of(solution_)[candidate.cut.sender], bounds)) {
+        if (is_close(hierarchy_of(solution_).scene(), hierarchy_of(solution_)[candidate.cut.sender], bounds)) {
             candidate.spread_bound = most;
         }
         if (!candidate.matters) {
@@ -294,7 +258,9 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
     }
     std::sort(site.senders.begin(), site.senders.end(),
               [](const SiteSender& a, const SiteSender& b) { return a.sender < b.sender; });
-    counts_ += {1, candidates_.size(), rays_.size(), 0, 0, 0};
+    counts_.points += 1;
+    counts_.senders += candidates_.size();
+    counts_.visibility_rays += rays_.size();
     return site;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "film/fragments.h"
+#include "gather/gather_counts.h"
 #include "gather/near_light.h"
 #include "gather/sender_cut.h"
 #include "gather/sender_points.h"
@@ -29,12 +30,6 @@ struct ClassifySettings {
     float least_radiosity = 0;  // W/m2: darker places tolerate no less than this one
 };
 
-struct ClassifyCounts {
-    std::uint64_t sites = 0, senders = 0, rays = 0;
-    std::uint64_t both = 0, only_visibility = 0, only_form_factor = 0;  // resampled
-    ClassifyCounts& operator+=(const ClassifyCounts& other);
-};
-
 // Makes sites, one after the other; for one thread.
 class Classifier {
   public:
@@ -43,7 +38,7 @@ class Classifier {
 
     // receivers: at least one.
     [[nodiscard]] Site classify(std::span<const Receiver> receivers);
-    [[nodiscard]] const ClassifyCounts& counts() const { return counts_; }
+    [[nodiscard]] const GatherCounts& counts() const { return counts_; }
 
   private:
     struct Candidate {
@@ -83,7 +78,7 @@ class Classifier {
     std::vector<bool*> resampled_;  // whether each shall not be
     std::vector<Ray> rays_;
     std::vector<std::uint8_t> blocked_;
-    ClassifyCounts counts_;
+    GatherCounts counts_;
 };
 
 }  // namespace gg

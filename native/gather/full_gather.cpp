@@ -16,14 +16,6 @@ constexpr std::uint32_t kLeastRays = 4, kMostRays = 256;
 
 }  // namespace
 
-GatherCounts& GatherCounts::operator+=(const GatherCounts& other) {
-    points += other.points;
-    senders += other.senders;
-    visibility_rays += other.visibility_rays;
-    near_rays += other.near_rays;
-    return *this;
-}
-
 FullGather::FullGather(const Solution& solution, const ClusterPoints& points, const RayTracer& tracer, int samples)
     : solution_(solution),
       points_(points),
@@ -133,7 +125,10 @@ Rgb FullGather::irradiance(const Fragment& at, float expected) {
             sum += seen / std::max(sent, 1e-30F) * task.light;
         }
     }
-    counts_ += {1, tasks_.size(), rays_.size(), cut_.near.empty() ? 0 : kNearDirections};
+    counts_.points += 1;
+    counts_.senders += tasks_.size();
+    counts_.visibility_rays += rays_.size();
+    counts_.near_rays += cut_.near.empty() ? 0 : kNearDirections;
     return sum;
 }
 

@@ -5,16 +5,12 @@
 #include <vector>
 
 #include "film/fragments.h"
+#include "gather/gather_counts.h"
 #include "gather/near_light.h"
 #include "gather/sender_cut.h"
 #include "gather/sender_points.h"
 
 namespace gg {
-
-struct GatherCounts {
-    std::uint64_t points = 0, senders = 0, visibility_rays = 0, near_rays = 0;
-    GatherCounts& operator+=(const GatherCounts& other);
-};
 
 // Gathers at points, one after the other; for one thread.
 class FullGather {

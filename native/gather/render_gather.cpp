@@ -95,7 +95,7 @@ ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t
         settings.least_radiosity = kDarkest * receivers.mean_radiosity();
         sites.resize(receivers.site_count());
         std::mutex mutex;
-        ClassifyCounts total;
+        GatherCounts total;
         parallel_blocks(sites.size(), kSitesAtOnce, control, [&](std::size_t begin, std::size_t end) {
             Classifier classifier(solution, points, view.tracer, settings);
             for (std::size_t i = begin; i < end; ++i) {
@@ -104,17 +104,17 @@ ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t
             const std::scoped_lock lock(mutex);
             total += classifier.counts();
         });
-        statistics.set_count("sites", static_cast<double>(total.sites));
+        statistics.set_count("sites", static_cast<double>(total.points));
         statistics.set_count("grid vertices", static_cast<double>(grid.vertex_count()));
         statistics.set_count("senders of sites", static_cast<double>(total.senders));
-        statistics.set_count("rays of classification", static_cast<double>(total.rays));
+        statistics.set_count("rays of classification", static_cast<double>(total.visibility_rays + total.near_rays));
         statistics.set_count("senders resampled: both", static_cast<double>(total.both));
         statistics.set_count("senders resampled: visibility", static_cast<double>(total.only_visibility));
         statistics.set_count("senders resampled: form factor", static_cast<double>(total.only_form_factor));
     }
     const StageTimer timer(statistics, "shading");
     std::mutex mutex;
-    ShadeCounts total;
+    GatherCounts total;
     const auto light_of = [&](const TileFragments& tile) {
         Shader shader(solution, points, view.tracer);
         std::vector<Rgb> irradiance;

@@ -14,15 +14,6 @@ constexpr float kAlmost = 0.9999F;  // of the way to a sender
 
 }  // namespace
 
-ShadeCounts& ShadeCounts::operator+=(const ShadeCounts& other) {
-    points += other.points;
-    senders += other.senders;
-    visibility_rays += other.visibility_rays;
-    form_factors += other.form_factors;
-    near_rays += other.near_rays;
-    return *this;
-}
-
 Shader::Shader(const Solution& solution, const ClusterPoints& points, const RayTracer& tracer)
     : solution_(solution), points_(points), tracer_(tracer), near_(solution, tracer) {}
 
@@ -153,7 +144,9 @@ Rgb Shader::irradiance(const Fragment& at, std::span<const WeightedSite> sites) 
         }
         sum += weighted.weight * light;
     }
-    counts_ += {1, tasks_.size(), rays_.size(), 0, 0};
+    counts_.points += 1;
+    counts_.senders += tasks_.size();
+    counts_.visibility_rays += rays_.size();
     return sum;
 }
 

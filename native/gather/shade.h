@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "film/fragments.h"
+#include "gather/gather_counts.h"
 #include "gather/near_light.h"
 #include "gather/sender_points.h"
 #include "gather/site.h"
@@ -19,11 +20,6 @@ struct WeightedSite {
     float weight = 0;  // 0..1, of all at a point they sum to 1
 };
 
-struct ShadeCounts {
-    std::uint64_t points = 0, senders = 0, visibility_rays = 0, form_factors = 0, near_rays = 0;
-    ShadeCounts& operator+=(const ShadeCounts& other);
-};
-
 // Shades points, one after the other; for one thread.
 class Shader {
   public:
@@ -31,7 +27,7 @@ class Shader {
 
     // Irradiance, W/m2.
     [[nodiscard]] Rgb irradiance(const Fragment& at, std::span<const WeightedSite> sites);
-    [[nodiscard]] const ShadeCounts& counts() const { return counts_; }
+    [[nodiscard]] const GatherCounts& counts() const { return counts_; }
 
   private:
     // A sender of any of the sites.
@@ -56,7 +52,7 @@ class Shader {
     std::vector<Ray> rays_;
     std::vector<float> weights_;
     std::vector<std::uint8_t> blocked_;
-    ShadeCounts counts_;
+    GatherCounts counts_;
 };
 
 }  // namespace gg

@@ -7,6 +7,7 @@
 #include "core/random.h"
 #include "radiosity/gathered_light.h"
 #include "radiosity/lighting.h"
+#include "radiosity/sky_balance.h"
 #include "radiosity/source_rays.h"
 #include "trace/ray_tracer.h"
 #include "trace/surface_point.h"
@@ -197,8 +198,8 @@ class GatheredLight::Block {
             if (luminance(ray.light) > 0) {
                 const float rays = chance * static_cast<float>(count);  // expected to the source
                 const float share = kind == kSkySources
-                                        ? 1 / (rays + rays_of_hemisphere(place, x.normal, ray.ray.direction,
-                                                                         (*owner_.hierarchy_)[source].area))
+                                        ? 1 / (rays + hemisphere_rays_into((*owner_.hierarchy_)[source].area,
+                                                                           place.rays, x.normal, ray.ray.direction))
                                         : 1 / rays;
                 shadow_rays_.push_back(ray.ray);
                 shadows_.push_back({i, share * ray.light});
@@ -206,36 +207,13 @@ class GatheredLight::Block {
         }
     }
 
-    // The sky is found by rays of either kind, each where the other is not likely to: what one brings is shared out by
-    // how many of both go there [Veach and Guibas 1995].
-
-    // Rays of the hemisphere that would go into so much solid angle there.
-    static float rays_of_hemisphere(const Place& place, Vec3 normal, Vec3 direction, float solid_angle) {
-        return static_cast<float>(place.rays) * std::max(0.0F, dot(normal, direction)) / kPi * solid_angle;
-    }
-
     // What counts of the sky that a ray of the hemisphere meets, 0..1.
-    float share_of_hemisphere(const Place& place, Vec3 normal, Vec3 direction) const {
-        if (!sources_.has(kSkySources)) {
-            return 1;
-        }
-        const Sources::Choice cell = sky_source_at(direction);
-        if (cell.source == kNone) {
-            return 1;
-        }
-        const float guided = cell.chance * static_cast<float>(source_ray_count(place));
-        const float own = rays_of_hemisphere(place, normal, direction, (*owner_.hierarchy_)[cell.source].area);
-        return own / std::max(own + guided, 1e-30F);
+    float sky_share(const Place& place, Vec3 normal, Vec3 direction) const {
+        return hemisphere_share(*owner_.hierarchy_, sources_, {place.rays, source_ray_count(place)}, normal, direction);
     }
 
     static std::uint32_t source_ray_count(const Place& place) {
         return std::max(1U, place.element == kNone ? place.rays / kRaysPerShadowRay : place.rays);
-    }
-
-    Sources::Choice sky_source_at(Vec3 direction) const {
-        const SkyCell finest = finest_cell_at(direction);
-        return sources_.find(
-            kSkySources, [&](NodeId source) { return contains(sky_cell_of((*owner_.hierarchy_)[source]), finest); });
     }
 
     // A permutation of 0..count-1, so that neighbouring shares of the sources go to points all over the place.
@@ -256,8 +234,7 @@ class GatheredLight::Block {
         for (const std::size_t k : open_points_) {
             const Hit& hit = hits_[k];
             if (hit.missed()) {
-                emitted +=
-                    share_of_hemisphere(place, points_[k].normal, rays_[k].direction) * share * kPi * scene_.world;
+                emitted += sky_share(place, points_[k].normal, rays_[k].direction) * share * kPi * scene_.world;
             } else {
                 owner_.hits_[slot] = place_at(rays_[k], hit, share, emitted);
             }
