@@ -11,8 +11,8 @@ from pathlib import Path
 
 SCENES = Path(__file__).resolve().parent
 BUILD = SCENES.parent / "build"
-TRUTH_SAMPLES = {"attic": 2048, "cornell_box": 2048, "furnace": 64, "library": 1024, "room": 1024, "startup": 2048,
-                 "toy_room": 1024}
+TRUTH_SAMPLES = {"attic": 4096, "cornell_box": 4096, "furnace": 64, "library": 4096, "room": 1024, "startup": 4096,
+                 "toy_room": 4096}
 TRUTH_PERCENT = 50  # of the scene's own picture size
 
 

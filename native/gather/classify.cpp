@@ -18,18 +18,21 @@ constexpr std::uint32_t kFewPairs = 2, kLeastPairs = 4, kMostPairs = 64;
 constexpr std::size_t kMeasured = 16;  // receivers that a sender is measured at, of those that it may light
 constexpr float kSettled = 0.1F;       // share of the tolerance from which a sender is looked at closely
 constexpr float kLeastSamples = 1;
-constexpr float kNearError = 0.3F;  // of light from close by when it is interpolated
+constexpr float kFullReach = 0.7F;    // share of the reach within which everything is near
+constexpr float kNearShare = 0.005F;  // of what is around that may be near without being looked at
 
 }  // namespace
 
-Classifier::Classifier(const Solution& solution, const ClusterPoints& points, const RayTracer& tracer,
-                       const ClassifySettings& settings)
+Classifier::Classifier(const Solution& solution, const NodeOrder& order, const ClusterPoints& points,
+                       const RayTracer& tracer, const ClassifySettings& settings)
     : solution_(solution),
+      order_(order),
       points_(points),
       tracer_(tracer),
       settings_(settings),
       cutter_(solution),
-      near_(solution, tracer) {}
+      surroundings_(solution, order, tracer),
+      sky_(tracer, hierarchy_of(solution).scene().world) {}
 
 IrradianceVector Classifier::vector_at(NodeId sender, Vec3 x) const {
     const Node& node = hierarchy_of(solution_)[sender];
@@ -60,7 +63,7 @@ void Classifier::measure(Candidate& candidate, std::span<const Receiver> receive
     Rgb sum(0.0F);
     Vec3 mean(0.0F);
     for (const Receiver& receiver : receivers) {
-        if (found == count || is_below_horizon(scene, node, receiver.position, receiver.normal)) {
+        if (found == count || is_below_horizon(scene, node, receiver.position, receiver.shading_normal)) {
             continue;
         }
         const IrradianceVector v = vector_at(candidate.cut.sender, receiver.position);
@@ -70,7 +73,8 @@ void Classifier::measure(Candidate& candidate, std::span<const Receiver> receive
             sum += v.irradiance;
             mean += size * v.direction;
             candidate.largest = std::max(candidate.largest, size);
-            candidate.horizon = candidate.horizon || crosses_horizon(scene, node, receiver.position, receiver.normal);
+            candidate.horizon =
+                candidate.horizon || crosses_horizon(scene, node, receiver.position, receiver.shading_normal);
         }
     }
     if (found == 0) {
@@ -111,12 +115,13 @@ void Classifier::add_rays(Candidate& candidate, std::span<const Receiver> receiv
             const FacePoint& target = points_.of(sender)[point % kClusterPoints];
             const Vec3 to = target.position - receiver.position;
             ++point;
-            if (dot(to, receiver.normal) > 0 && dot(to, target.normal) < 0) {
+            if (receiver.faces(to) && dot(to, target.normal) < 0) {
                 rays_.push_back({receiver.position, to, 0, kAlmost});
             }
         } else {
-            const SenderPoint target = sender_point(solution_, sender, point, receiver.position, receiver.normal);
-            if (target.weight > 0) {
+            const SenderPoint target =
+                sender_point(solution_, sender, point, receiver.position, receiver.shading_normal);
+            if (target.weight > 0 && receiver.faces(target.direction)) {
                 rays_.push_back({receiver.position, target.direction, 0, target.infinite ? kInfinity : kAlmost});
                 ++point;
             }
@@ -138,8 +143,11 @@ void Classifier::judge(Candidate& candidate, float tolerance) {
     }
     const float brings = luminance(candidate.irradiance);
     const float v = candidate.visibility;
-    const bool mixed =
-        (seen > 0 && seen < candidate.ray_count) || (candidate.cut.visibility > 0 && candidate.cut.visibility < 1);
+    const bool lamp = hierarchy_of(solution_)[candidate.cut.sender].kind == NodeKind::kLamp;
+    if (seen == 0 && !lamp) {
+        return;  // rays in all directions will find what little can be seen of it
+    }
+    const bool mixed = seen > 0 && seen < candidate.ray_count;
     // That all rays said the same is no proof.
     const float doubt = 1 / (count + 2);
     candidate.resample_visibility = (mixed ? 1 : doubt) * brings > tolerance;
@@ -168,28 +176,14 @@ void Classifier::keep_to_budget(float tolerance) {
     }
 }
 
-// tolerance: W/m2
-void Classifier::add_near_light(std::span<const Receiver> receivers, float tolerance, Site& site) {
-    if (cut_.near.empty()) {
-        return;
-    }
-    origins_.clear();
-    for (const Receiver& receiver : receivers) {
-        origins_.push_back({receiver.position, receiver.normal});
-    }
-    const std::size_t first = site.beams.size();
-    near_.for_each_hit(cut_.near, origins_, [&](Vec3 direction, Rgb irradiance) {
-        site.beams.push_back({direction, irradiance});
-    });
-    counts_.near_rays += 2 * kNearDirections;
-    float most = 0;
-    for (const NearOrigin& origin : origins_) {
-        most = std::max(most, luminance(light_of(std::span(site.beams).subspan(first), origin.normal)));
-    }
-    if (kNearError * most > tolerance) {
-        site.near = cut_.near;
-        site.beams.resize(first);
-    }
+// Nothing is near if next to nothing of what is around is.
+Reach Classifier::reach_of(const Box& bounds) const {
+    const float none = settings_.reach * bounds.diameter();
+    const Reach reach{kFullReach * none, none};
+    const auto near = std::count_if(surroundings_.met().begin(), surroundings_.met().end(),
+                                    [&](const Met& met) { return met.distance < none; });
+    const bool matters = static_cast<float>(near) > kNearShare * static_cast<float>(surroundings_.ray_count());
+    return matters ? reach : Reach{};
 }
 
 Site Classifier::classify(std::span<const Receiver> receivers) {
@@ -206,44 +200,48 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
             places_.push_back(receiver.place);
         }
     }
+    const Scene& scene = hierarchy_of(solution_).scene();
     cutter_.build({places_, bounds, irradiance}, cut_);
+    surroundings_.look_from(receivers);
     Site site;
+    site.reach = reach_of(bounds);
     const float threshold = settings_.threshold * std::max(radiosity, settings_.least_radiosity);
-    const float in_irradiance = threshold / std::max(reflectance, 0.02F);
-    add_near_light(receivers, in_irradiance, site);
+    const float tolerance = threshold / std::max(reflectance, 0.02F);
     candidates_.clear();
     rays_.clear();
     float all = 0;
     for (const CutSender& sender : cut_.senders) {
+        const Node& node = hierarchy_of(solution_)[sender.sender];
         Candidate candidate;
         candidate.cut = sender;
-        measure(candidate, receivers, 1);
-        if (candidate.largest > 0) {
-            all += luminance(candidate.irradiance);
-            candidates_.push_back(candidate);
+        candidate.bound = bound(sender.sender, bounds);
+        if (node.kind != NodeKind::kSky && (node.kind == NodeKind::kLamp || candidate.bound > tolerance)) {
+            measure(candidate, receivers, kMeasured);
+            if (node.kind == NodeKind::kLamp ? candidate.largest > 0 : candidate.largest > tolerance) {
+                all += luminance(candidate.irradiance);
+                candidates_.push_back(candidate);
+            }
         }
     }
+    all = std::max(all, irradiance);
     for (Candidate& candidate : candidates_) {
-        const float most = bound(candidate.cut.sender, bounds);
-        candidate.matters = most > kSettled * in_irradiance;
-        if (is_close(hierarchy_of(solution_).scene(), hierarchy_of(solution_)[candidate.cut.sender], bounds)) {
-            candidate.spread_bound = most;
+        candidate.matters = candidate.largest > kSettled * tolerance;
+        if (is_close(scene, hierarchy_of(solution_)[candidate.cut.sender], bounds)) {
+            candidate.spread_bound = std::min(candidate.bound, 4 * candidate.largest);
         }
-        if (!candidate.matters) {
-            add_rays(candidate, receivers, kFewPairs);
-        } else {
-            const float wanted = static_cast<float>(settings_.samples) * luminance(candidate.irradiance) / all;
-            measure(candidate, receivers, kMeasured);
-            add_rays(candidate, receivers, std::clamp(static_cast<std::uint32_t>(wanted), kLeastPairs, kMostPairs));
-        }
+        const float wanted = static_cast<float>(settings_.samples) * luminance(candidate.irradiance) / all;
+        add_rays(
+            candidate, receivers,
+            candidate.matters ? std::clamp(static_cast<std::uint32_t>(wanted), kLeastPairs, kMostPairs) : kFewPairs);
     }
     blocked_.resize(rays_.size());
     tracer_.occluded(rays_, blocked_, RayMask::kLight, Coherence::kIncoherent);
     for (Candidate& candidate : candidates_) {
-        judge(candidate, in_irradiance);
+        judge(candidate, tolerance);
     }
-    keep_to_budget(in_irradiance);
+    keep_to_budget(tolerance);
     for (const Candidate& candidate : candidates_) {
+        const bool lamp = hierarchy_of(solution_)[candidate.cut.sender].kind == NodeKind::kLamp;
         if (candidate.resample_form_factor || candidate.resample_visibility) {
             counts_.both += candidate.resample_form_factor && candidate.resample_visibility;
             counts_.only_visibility += !candidate.resample_form_factor;
@@ -252,15 +250,25 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
             site.senders.push_back({candidate.cut.sender, candidate.resample_form_factor, candidate.resample_visibility,
                                     std::max(kLeastSamples, samples), candidate.visibility, candidate.irradiance,
                                     candidate.direction});
-        } else {
+            if (!lamp) {
+                site.apart.push_back(order_.range(candidate.cut.sender));
+            }
+        } else if (lamp) {
             site.beams.push_back({candidate.direction, candidate.visibility * candidate.irradiance});
         }
     }
     std::sort(site.senders.begin(), site.senders.end(),
               [](const SiteSender& a, const SiteSender& b) { return a.sender < b.sender; });
+    std::sort(site.apart.begin(), site.apart.end());
+    surroundings_.add_to(site.table, site.apart, site.reach);
+    const std::size_t sky_rays = sky_.ray_count();
+    const float sky = std::max(luminance(scene.world), 1e-20F);
+    sky_.find(receivers, surroundings_, settings_.sky_leaf * std::max(irradiance, tolerance) / sky, site.leaves,
+              site.table);
     counts_.points += 1;
-    counts_.senders += candidates_.size();
-    counts_.visibility_rays += rays_.size();
+    counts_.senders += cut_.senders.size();
+    counts_.visibility_rays += rays_.size() + sky_.ray_count() - sky_rays;
+    counts_.near_rays += surroundings_.ray_count();
     return site;
 }
 

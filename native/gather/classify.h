@@ -4,36 +4,31 @@
 #include <span>
 #include <vector>
 
-#include "film/fragments.h"
 #include "gather/gather_counts.h"
-#include "gather/near_light.h"
+#include "gather/node_order.h"
+#include "gather/receiver.h"
 #include "gather/sender_cut.h"
 #include "gather/sender_points.h"
 #include "gather/site.h"
+#include "gather/sky_leaves.h"
+#include "gather/surroundings.h"
 #include "transport/emitter_sampling.h"
 
 namespace gg {
-
-// A visible point near a site.
-struct Receiver {
-    Vec3 position{0.0F};  // off its surface
-    Vec3 normal{0.0F};    // unit, shading
-    NodeId place = kNone;
-    float reflectance = 0;  // luminance, 0..1
-    float irradiance = 0;   // by the radiosity solution, luminance, W/m2
-};
 
 struct ClassifySettings {
     int samples = 256;          // visibility rays of a point, N of eq. 1
     float threshold = 0.014F;   // error of a sender that is not seen, as a share of the local radiosity: a quarter of
                                 // 1.4 %, which one alone may have
     float least_radiosity = 0;  // W/m2: darker places tolerate no less than this one
+    float sky_leaf = 0.004F;    // irradiance of a part of the sky that has one ray, as a share of all
+    float reach = 1;            // of surfaces that are too close to interpolate, in diameters of the site
 };
 
 // Makes sites, one after the other; for one thread.
 class Classifier {
   public:
-    Classifier(const Solution& solution, const ClusterPoints& points, const RayTracer& tracer,
+    Classifier(const Solution& solution, const NodeOrder& order, const ClusterPoints& points, const RayTracer& tracer,
                const ClassifySettings& settings);
 
     // receivers: at least one.
@@ -49,6 +44,7 @@ class Classifier {
         float spread_bound = 0;  // the same where receivers are too few to tell
         bool horizon = false;    // lies in part below the horizon of some receiver
         float largest = 0;       // W/m2
+        float bound = 0;         // W/m2 that it may bring to any point around
         bool matters = false;    // somewhere around
         std::uint32_t first_ray = 0, ray_count = 0;
         float visibility = 0;                               // 0..1
@@ -60,19 +56,20 @@ class Classifier {
     [[nodiscard]] IrradianceVector vector_at(NodeId sender, Vec3 x) const;
     [[nodiscard]] float bound(NodeId sender, const Box& box) const;
     void add_rays(Candidate& candidate, std::span<const Receiver> receivers, std::uint32_t count);
-    void add_near_light(std::span<const Receiver> receivers, float tolerance, Site& site);
+    [[nodiscard]] Reach reach_of(const Box& bounds) const;
     void judge(Candidate& candidate, float tolerance);
     void keep_to_budget(float tolerance);
 
     const Solution& solution_;
+    const NodeOrder& order_;
     const ClusterPoints& points_;
     const RayTracer& tracer_;
     ClassifySettings settings_;
     CutBuilder cutter_;
-    NearLight near_;
+    Surroundings surroundings_;
+    SkyLeaves sky_;
     SenderCut cut_;
     std::vector<NodeId> places_;
-    std::vector<NearOrigin> origins_;
     std::vector<Candidate> candidates_;
     std::vector<float> errors_;     // that are left to interpolation
     std::vector<bool*> resampled_;  // whether each shall not be

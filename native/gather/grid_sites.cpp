@@ -73,7 +73,8 @@ std::vector<Candidate> candidates_of(const Solution& solution, const Perspective
 Receiver make_receiver(const Solution& solution, const Fragment& at, NodeId place) {
     Receiver receiver;
     receiver.position = offset_origin(at.position, at.normal, 1);
-    receiver.normal = at.shading_normal;
+    receiver.normal = at.normal;
+    receiver.shading_normal = at.shading_normal;
     receiver.place = place;
     receiver.reflectance = luminance(at.albedo) / std::max(at.share, 1e-6F);
     receiver.irradiance =

@@ -20,7 +20,8 @@ namespace gg {
 namespace {
 
 constexpr int kFullSamples = 256;
-constexpr float kDarkest = 0.1F;  // share of the mean radiosity below which places tolerate no less
+constexpr float kDarkest = 0.1F;       // share of the mean radiosity below which places tolerate no less
+constexpr float kCellsAcross = 17.5F;  // along the short side of a picture
 constexpr std::size_t kSitesAtOnce = 64;
 
 // What the radiosity solution says of a fragment, luminance [W/m2].
@@ -86,8 +87,10 @@ ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t
     }
     std::vector<Site> sites;
     const ClusterPoints points(solution, control);
-    const PerspectiveGrid grid =
-        fit_grid(view, static_cast<float>(width), static_cast<float>(height), tiles, GridSettings{});
+    const NodeOrder order(hierarchy_of(solution));
+    GridSettings cells;
+    cells.cell = static_cast<float>(std::min(width, height)) / kCellsAcross;
+    const PerspectiveGrid grid = fit_grid(view, static_cast<float>(width), static_cast<float>(height), tiles, cells);
     const GridReceivers receivers(solution, grid, tiles, control);
     {
         const StageTimer timer(statistics, "classification");
@@ -97,7 +100,7 @@ ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t
         std::mutex mutex;
         GatherCounts total;
         parallel_blocks(sites.size(), kSitesAtOnce, control, [&](std::size_t begin, std::size_t end) {
-            Classifier classifier(solution, points, view.tracer, settings);
+            Classifier classifier(solution, order, points, view.tracer, settings);
             for (std::size_t i = begin; i < end; ++i) {
                 sites[i] = classifier.classify(receivers.of(i));
             }
@@ -116,7 +119,7 @@ ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t
     std::mutex mutex;
     GatherCounts total;
     const auto light_of = [&](const TileFragments& tile) {
-        Shader shader(solution, points, view.tracer);
+        Shader shader(solution, order, points, view.tracer);
         std::vector<Rgb> irradiance;
         irradiance.reserve(tile.fragments.size());
         for (const Fragment& fragment : tile.fragments) {

@@ -14,8 +14,8 @@ constexpr float kAlmost = 0.9999F;  // of the way to a sender
 
 }  // namespace
 
-Shader::Shader(const Solution& solution, const ClusterPoints& points, const RayTracer& tracer)
-    : solution_(solution), points_(points), tracer_(tracer), near_(solution, tracer) {}
+Shader::Shader(const Solution& solution, const NodeOrder& order, const ClusterPoints& points, const RayTracer& tracer)
+    : solution_(solution), points_(points), tracer_(tracer), surroundings_(solution, order, tracer) {}
 
 // The union of the sites' senders.
 void Shader::plan(std::span<const WeightedSite> sites) {
@@ -43,6 +43,35 @@ void Shader::plan(std::span<const WeightedSite> sites) {
             }
         }
         tasks_.push_back(task);
+    }
+}
+
+// The union of the sites' leaves of the sky; their rays come first.
+void Shader::plan_sky(const Fragment& at, Vec3 x, std::span<const WeightedSite> sites) {
+    sky_tasks_.clear();
+    std::array<std::size_t, 8> next{};
+    for (;;) {
+        std::uint32_t id = kNone;
+        for (std::size_t i = 0; i < sites.size(); ++i) {
+            const auto& leaves = sites[i].site->leaves;
+            id = next[i] < leaves.size() ? std::min(id, leaves[next[i]].id) : id;
+        }
+        if (id == kNone) {
+            return;
+        }
+        SkyTask task;
+        for (std::size_t i = 0; i < sites.size(); ++i) {
+            const auto& leaves = sites[i].site->leaves;
+            if (next[i] < leaves.size() && leaves[next[i]].id == id) {
+                const SkyLeaf& leaf = leaves[next[i]++];
+                task.direction = leaf.direction;
+                task.weight += sites[i].weight * leaf.solid_angle;
+            }
+        }
+        if (dot(task.direction, at.normal) > 0 && dot(task.direction, at.shading_normal) > 0) {
+            sky_tasks_.push_back(task);
+            rays_.push_back({x, task.direction, 0, kInfinity});
+        }
     }
 }
 
@@ -87,11 +116,29 @@ void Shader::weigh(Task& task) const {
     task.seen = sent > 0 ? seen / sent : 0;
 }
 
+// What surfaces close by bring in place of what tables say of their directions.
+Rgb Shader::near_light(std::span<const WeightedSite> sites, const TableCosines& cosines) const {
+    Rgb sum(0.0F);
+    for (const Met& met : surroundings_.met()) {
+        for (const WeightedSite& weighted : sites) {
+            const Site& site = *weighted.site;
+            const float near = site.reach.nearness(met.distance);
+            if (near > 0) {
+                const Rgb radiance = holds(site.apart, met.rank) ? Rgb(0.0F) : met.radiance;
+                sum += weighted.weight * near * cosines.of[met.cell] / Surroundings::kNearRays *
+                       (kTableSolidAngle * radiance - site.table.at(met.cell));
+            }
+        }
+    }
+    return sum;
+}
+
 Rgb Shader::irradiance(const Fragment& at, std::span<const WeightedSite> sites) {
     const Vec3 x = offset_origin(at.position, at.normal, 1);
-    plan(sites);
     rays_.clear();
-    weights_.clear();
+    plan_sky(at, x, sites);
+    plan(sites);
+    weights_.assign(rays_.size(), 0.0F);
     for (Task& task : tasks_) {
         if (task.form_factor) {
             const Node& node = hierarchy_of(solution_)[task.sender];
@@ -116,22 +163,19 @@ Rgb Shader::irradiance(const Fragment& at, std::span<const WeightedSite> sites) 
             weigh(task);
         }
     }
-    const bool looks_around =
-        std::any_of(sites.begin(), sites.end(), [](const WeightedSite& w) { return !w.site->near.empty(); });
-    if (looks_around) {
-        const NearOrigin origin{x, at.normal};
-        near_.trace(std::span(&origin, 1));
-        counts_.near_rays += kNearDirections;
-    }
+    const TableCosines cosines(at.shading_normal);
     Rgb sum(0.0F);
+    for (std::size_t k = 0; k < sky_tasks_.size(); ++k) {
+        if (!blocked_[k]) {
+            sum += sky_tasks_[k].weight * dot(sky_tasks_[k].direction, at.shading_normal) *
+                   hierarchy_of(solution_).scene().world;
+        }
+    }
+    float reach = 0;
     for (const WeightedSite& weighted : sites) {
         const Site& site = *weighted.site;
-        Rgb light = light_of(site.beams, at.shading_normal);
-        if (!site.near.empty()) {
-            near_.for_each_hit_again(site.near, [&](Vec3 direction, Rgb irradiance) {
-                light += std::max(0.0F, dot(at.shading_normal, direction)) * irradiance;
-            });
-        }
+        reach = std::max(reach, site.reach.none);
+        Rgb light = light_of(site.beams, at.shading_normal) + light_of(site.table, cosines);
         std::size_t task = 0;
         for (const SiteSender& model : site.senders) {
             while (tasks_[task].sender != model.sender) {
@@ -143,6 +187,11 @@ Rgb Shader::irradiance(const Fragment& at, std::span<const WeightedSite> sites) 
             light += (model.resample_visibility ? tasks_[task].seen : model.visibility) * unoccluded;
         }
         sum += weighted.weight * light;
+    }
+    if (reach > 0) {
+        surroundings_.look_near(x, at.normal, reach);
+        sum += near_light(sites, cosines);
+        counts_.near_rays += surroundings_.ray_count();
     }
     counts_.points += 1;
     counts_.senders += tasks_.size();

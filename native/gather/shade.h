@@ -8,9 +8,9 @@
 
 #include "film/fragments.h"
 #include "gather/gather_counts.h"
-#include "gather/near_light.h"
 #include "gather/sender_points.h"
 #include "gather/site.h"
+#include "gather/surroundings.h"
 #include "trace/ray_tracer.h"
 
 namespace gg {
@@ -23,7 +23,7 @@ struct WeightedSite {
 // Shades points, one after the other; for one thread.
 class Shader {
   public:
-    Shader(const Solution& solution, const ClusterPoints& points, const RayTracer& tracer);
+    Shader(const Solution& solution, const NodeOrder& order, const ClusterPoints& points, const RayTracer& tracer);
 
     // Irradiance, W/m2.
     [[nodiscard]] Rgb irradiance(const Fragment& at, std::span<const WeightedSite> sites);
@@ -40,15 +40,24 @@ class Shader {
         float seen = 1;  // visibility at the point
     };
 
+    // A part of the sky that any of the sites looks at anew.
+    struct SkyTask {
+        Vec3 direction{0.0F};
+        float weight = 0;  // solid angle times the sites' weights, sr
+    };
+
     void plan(std::span<const WeightedSite> sites);
+    void plan_sky(const Fragment& at, Vec3 x, std::span<const WeightedSite> sites);
+    [[nodiscard]] Rgb near_light(std::span<const WeightedSite> sites, const TableCosines& cosines) const;
     void add_rays(const Fragment& at, Vec3 x, Task& task);
     void weigh(Task& task) const;
 
     const Solution& solution_;
     const ClusterPoints& points_;
     const RayTracer& tracer_;
-    NearLight near_;
+    Surroundings surroundings_;
     std::vector<Task> tasks_;
+    std::vector<SkyTask> sky_tasks_;
     std::vector<Ray> rays_;
     std::vector<float> weights_;
     std::vector<std::uint8_t> blocked_;

@@ -1,4 +1,4 @@
-// A site: a place where the illumination is understood. It holds a complete model of the light there, sender by sender.
+// A site: a place where the illumination is understood. It holds a complete model of the light there.
 #pragma once
 
 #include <algorithm>
@@ -7,6 +7,10 @@
 #include <vector>
 
 #include "core/vec.h"
+#include "gather/direction_table.h"
+#include "gather/node_order.h"
+#include "gather/sky_leaves.h"
+#include "gather/surroundings.h"
 #include "radiosity/solution.h"
 
 namespace gg {
@@ -21,7 +25,7 @@ struct SiteSender {
     Vec3 direction{0.0F};  // unit, to the sender
 };
 
-// A sender, or a direction, whose light needs no closer look: on normal n it brings max(0, n.direction) * irradiance.
+// A lamp that needs no closer look: on normal n it brings max(0, n.direction) * irradiance.
 struct Beam {
     Vec3 direction{0.0F};  // unit
     Rgb irradiance{0.0F};  // W/m2
@@ -29,8 +33,11 @@ struct Beam {
 
 struct Site {
     std::vector<SiteSender> senders;  // to be resampled, in ascending order
-    std::vector<Beam> beams;          // what all others bring
-    std::vector<NodeId> near;         // clusters too close to be senders, to be looked for anew; empty: interpolated
+    std::vector<RankRange> apart;     // those among them that are surfaces, in ascending order
+    std::vector<SkyLeaf> leaves;      // of the sky, to be resampled, in ascending order
+    std::vector<Beam> beams;          // other lamps
+    DirectionTable table;             // what all other surfaces and the rest of the sky bring
+    Reach reach;                      // surfaces closer than that are looked for anew; 0: there are none
 };
 
 [[nodiscard]] inline Rgb light_of(std::span<const Beam> beams, Vec3 normal) {

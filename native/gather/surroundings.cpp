@@ -1,0 +1,118 @@
+#include "gather/surroundings.h"
+
+#include <array>
+
+#include "core/random.h"
+
+namespace gg {
+
+namespace {
+
+constexpr std::uint64_t kSiteSeed = 0x73697465, kNearSeed = 0x6e656172;
+
+}  // namespace
+
+Surroundings::Surroundings(const Solution& solution, const NodeOrder& order, const RayTracer& tracer)
+    : solution_(solution), order_(order), tracer_(tracer) {
+    const Sequence4 sites(kSiteSeed), near(kNearSeed);
+    for (std::uint32_t c = 0; c < kSiteCells; ++c) {
+        site_directions_.push_back(cell_direction(site_cell(c), sites(c, 0), sites(c, 1)));
+    }
+    for (std::uint32_t c = 0; c < kTableCells; ++c) {
+        for (std::uint32_t k = 0; k < kNearRays; ++k) {
+            const float u = (near(c, 0) + static_cast<float>(k)) / kNearRays;
+            near_directions_.push_back(cell_direction(table_cell(c), u, near(c, 1)));
+        }
+    }
+}
+
+void Surroundings::trace() {
+    hits_.resize(rays_.size());
+    tracer_.closest_hits(rays_, hits_, RayMask::kLight, Coherence::kIncoherent);
+    const Hierarchy& hierarchy = hierarchy_of(solution_);
+    met_.clear();
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+        const Hit& hit = hits_[i];
+        if (hit.missed()) {
+            continue;
+        }
+        const Vec3 point = rays_[i].origin + hit.distance * rays_[i].direction;
+        const bool back = dot(world_area_vector(hierarchy.scene(), hit.instance, hit.triangle), rays_[i].direction) > 0;
+        const NodeId place = place_at(solution_, hit.instance, hit.triangle, back, point);
+        Met met{cells_[i], 0, hit.distance, Rgb(0.0F)};
+        if (place != kNone) {
+            met.rank = order_.rank(place);
+            met.radiance = (is_cluster(hierarchy[place]) ? face_radiosity(solution_, hit.instance, hit.triangle, back)
+                                                         : radiosity_of(solution_, place)) /
+                           kPi;
+        }
+        met_.push_back(met);
+    }
+}
+
+void Surroundings::look_from(std::span<const Receiver> receivers) {
+    rays_.clear();
+    cells_.clear();
+    seen_.assign(kSiteCells, Seen::kNothing);
+    std::size_t next = 0;
+    for (std::uint32_t c = 0; c < kSiteCells; ++c) {
+        for (std::size_t tried = 0; tried < receivers.size(); ++tried) {
+            const Receiver& receiver = receivers[next++ % receivers.size()];
+            if (receiver.faces(site_directions_[c])) {
+                rays_.push_back({receiver.position, site_directions_[c], 0, kInfinity});
+                cells_.push_back(c);
+                seen_[c] = Seen::kSky;
+                break;
+            }
+        }
+    }
+    trace();
+    for (const Met& met : met_) {
+        seen_[met.cell] = Seen::kSurface;
+    }
+}
+
+void Surroundings::add_to(DirectionTable& table, std::span<const RankRange> apart, const Reach& reach) const {
+    struct Sum {
+        Rgb far{0.0F}, all{0.0F};
+        float far_count = 0, count = 0;
+    };
+    std::array<Sum, kTableCells> sums;
+    for (std::uint32_t c = 0; c < kSiteCells; ++c) {
+        if (seen_[c] != Seen::kNothing) {
+            Sum& sum = sums[table_index(site_cell(c))];
+            sum.count += 1;
+            sum.far_count += 1;
+        }
+    }
+    for (const Met& met : met_) {
+        Sum& sum = sums[table_index(site_cell(met.cell))];
+        const Rgb radiance = holds(apart, met.rank) ? Rgb(0.0F) : met.radiance;
+        const float far = 1 - reach.nearness(met.distance);
+        sum.all += radiance;
+        sum.far += far * radiance;
+        sum.far_count += far - 1;
+    }
+    for (std::uint32_t c = 0; c < kTableCells; ++c) {
+        const Sum& sum = sums[c];
+        if (sum.far_count >= 0.5F) {
+            table.add(c, kTableSolidAngle / sum.far_count * sum.far);
+        } else if (sum.count > 0) {
+            table.add(c, kTableSolidAngle / sum.count * sum.all);
+        }
+    }
+}
+
+void Surroundings::look_near(Vec3 position, Vec3 normal, float reach) {
+    rays_.clear();
+    cells_.clear();
+    for (std::uint32_t k = 0; k < near_directions_.size(); ++k) {
+        if (dot(near_directions_[k], normal) > 0) {
+            rays_.push_back({position, near_directions_[k], 0, reach});
+            cells_.push_back(k / kNearRays);
+        }
+    }
+    trace();
+}
+
+}  // namespace gg

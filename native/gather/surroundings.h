@@ -1,0 +1,81 @@
+// What is all around a point or a site, found by rays in fixed directions: all light that no sender is made of.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/vec.h"
+#include "gather/direction_table.h"
+#include "gather/node_order.h"
+#include "gather/receiver.h"
+#include "radiosity/solution.h"
+#include "trace/ray_tracer.h"
+
+namespace gg {
+
+// One ray into each of these cells of the sky's quadtrees.
+inline constexpr std::uint8_t kSiteLevel = 5;  // around a site
+inline constexpr std::uint32_t kSiteSide = 1U << kSiteLevel, kSiteCells = 2 * kSiteSide * kSiteSide;
+
+[[nodiscard]] constexpr std::uint32_t site_index(SkyCell cell) {
+    return (cell.face * kSiteSide + cell.j) * kSiteSide + cell.i;
+}
+[[nodiscard]] constexpr SkyCell site_cell(std::uint32_t index) {
+    return {kSiteLevel, static_cast<std::uint8_t>(index / (kSiteSide * kSiteSide)),
+            static_cast<std::uint16_t>(index % kSiteSide), static_cast<std::uint16_t>(index / kSiteSide % kSiteSide)};
+}
+
+// Senders that are resampled and what lies closer than this is not interpolated. [m]
+struct Reach {
+    float full = 0, none = 0;  // what is closer than `full` is all near, what is farther than `none` all far
+
+    [[nodiscard]] float nearness(float distance) const {
+        return distance < full ? 1.0F : (distance < none ? (none - distance) / (none - full) : 0.0F);
+    }
+};
+
+struct Met {
+    std::uint32_t cell = 0;  // of the directions that were asked for
+    std::uint32_t rank = 0;  // of the place that was hit
+    float distance = 0;      // m
+    Rgb radiance{0.0F};
+};
+
+// What a cell's ray met.
+enum class Seen : std::uint8_t { kNothing, kSky, kSurface };  // kNothing: no receiver faces the direction
+
+// For one thread.
+class Surroundings {
+  public:
+    Surroundings(const Solution& solution, const NodeOrder& order, const RayTracer& tracer);
+
+    // Into each of kSiteCells, from one of the receivers that face it, in turn.
+    void look_from(std::span<const Receiver> receivers);
+    [[nodiscard]] std::span<const Met> met() const { return met_; }
+    [[nodiscard]] std::span<const Seen> seen() const { return seen_; }
+    [[nodiscard]] std::size_t ray_count() const { return rays_.size(); }
+
+    // Adds what was met to the table: but for what lies in `apart` and, if reach is not 0, for what is near, unless
+    // nothing else was met in a cell.
+    void add_to(DirectionTable& table, std::span<const RankRange> apart, const Reach& reach) const;
+
+    // Into kNearRays fixed directions of each table cell, as far as the reach, m; Met::cell: of the table.
+    static constexpr std::uint32_t kNearRays = 2;
+    void look_near(Vec3 position, Vec3 normal, float reach);
+
+  private:
+    void trace();
+
+    const Solution& solution_;
+    const NodeOrder& order_;
+    const RayTracer& tracer_;
+    std::vector<Vec3> site_directions_, near_directions_;  // per cell; per table cell, kNearRays of each
+    std::vector<Ray> rays_;
+    std::vector<std::uint32_t> cells_;  // per ray
+    std::vector<Hit> hits_;
+    std::vector<Met> met_;
+    std::vector<Seen> seen_;
+};
+
+}  // namespace gg
