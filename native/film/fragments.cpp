@@ -12,6 +12,7 @@ namespace gg {
 namespace {
 
 constexpr float kSameNormal = 0.97F;  // cosine of the largest angle within a fragment
+constexpr std::uint32_t kEdgeSamples = 4;  // times the samples, where something that shines ends within a pixel
 constexpr float kSamePlane = 2;       // largest distance from a fragment's plane, in pixels
 
 // Twice the area of the triangle in texture coordinates.
@@ -63,31 +64,51 @@ class PixelBuilder {
     PixelBuilder(const View& view, const IrradianceAt* irradiance_at, TileFragments& out)
         : view_(view), irradiance_at_(irradiance_at), out_(out) {}
 
-    void add(std::span<const Ray> rays, std::span<const Hit> hits) {
+    // False, and nothing is added, if these samples are too few.
+    bool add(std::span<const Ray> rays, std::span<const Hit> hits, bool take_any) {
         PixelFragments pixel;
-        parts_.clear();
-        std::uint32_t kept = 0;
-        for (std::size_t sample = 0; sample < rays.size(); ++sample) {
-            kept += add_sample(rays[sample], hits[sample], pixel) ? 1 : 0;
+        pixel.samples = static_cast<std::uint32_t>(rays.size());
+        const std::uint32_t kept = collect(rays, hits, pixel);
+        if (!take_any && darkest_ < 0.5F * brightest_) {
+            return false;
         }
         const float share = 1 / static_cast<float>(rays.size());
         pixel.emitted *= share;
         pixel.alpha *= share;
         pixel.kept = share * static_cast<float>(kept);
-        for (Part& part : parts_) {
-            part.fragment.albedo *= share;
-            part.fragment.share = share * static_cast<float>(part.places.size());
-            choose_place(part);
-            out_.fragments.push_back(part.fragment);
+        for (const Part& part : parts_) {
+            out_.fragments.push_back(fragment_of(part.places, part.fragment, share));
         }
         pixel.end = static_cast<std::uint32_t>(out_.fragments.size());
         out_.pixels.push_back(pixel);
+        return true;
+    }
+
+    [[nodiscard]] std::vector<FragmentPart> divide(std::span<const Ray> rays, std::span<const Hit> hits) {
+        PixelFragments pixel;
+        collect(rays, hits, pixel);
+        const float share = 1 / static_cast<float>(rays.size());
+        std::vector<FragmentPart> result;
+        for (std::uint32_t k = 0; k < parts_.size(); ++k) {
+            const std::span<Place> all = parts_[k].places;
+            const std::size_t half = halve(all);
+            for (const std::span<Place> side : {all.first(half), all.subspan(half)}) {
+                const std::size_t quarter = halve(side);
+                for (const std::span<Place> places : {side.first(quarter), side.subspan(quarter)}) {
+                    if (!places.empty()) {
+                        result.push_back({fragment_of(places, parts_[k].fragment, share), k});
+                    }
+                }
+            }
+        }
+        return result;
     }
 
   private:
     struct Place {
         Hit hit;
         SurfacePoint point;  // of the side that is seen
+        Rgb albedo{0.0F};
     };
     struct Part {
         Fragment fragment;
@@ -95,16 +116,34 @@ class PixelBuilder {
         std::vector<Place> places;
     };
 
+    // Sorts samples into parts. Returns how many are finite.
+    std::uint32_t collect(std::span<const Ray> rays, std::span<const Hit> hits, PixelFragments& pixel) {
+        parts_.clear();
+        darkest_ = kInfinity;
+        brightest_ = 0;
+        std::uint32_t kept = 0;
+        for (std::size_t sample = 0; sample < rays.size(); ++sample) {
+            kept += add_sample(rays[sample], hits[sample], pixel) ? 1 : 0;
+        }
+        return kept;
+    }
+
+    void note_shining(Rgb emitted) {
+        darkest_ = std::min(darkest_, luminance(emitted));
+        brightest_ = std::max(brightest_, luminance(emitted));
+    }
+
     // False for a sample that is not finite.
     bool add_sample(const Ray& ray, const Hit& hit, PixelFragments& pixel) {
         if (hit.missed()) {
+            note_shining(view_.settings.film_transparent ? Rgb(0.0F) : view_.scene.world);
             if (!view_.settings.film_transparent) {
                 pixel.emitted += view_.scene.world;
                 pixel.alpha += 1;
             }
             return true;
         }
-        Place place{hit, surface_point(view_.scene, hit)};
+        Place place{hit, surface_point(view_.scene, hit), Rgb(0.0F)};
         const bool back = dot(place.point.geometric_normal, ray.direction) > 0;
         if (back) {
             place.point.geometric_normal = -place.point.geometric_normal;
@@ -121,13 +160,14 @@ class PixelBuilder {
             }
             pixel.emitted += reflected;
         }
+        note_shining(colors.emission);
         pixel.emitted += colors.emission;
         pixel.alpha += 1;
         if (irradiance_at_ != nullptr) {
             return true;
         }
         Part& part = part_of(place, back);
-        part.fragment.albedo += colors.albedo;
+        place.albedo = colors.albedo;
         part.places.push_back(place);
         return true;
     }
@@ -149,32 +189,54 @@ class PixelBuilder {
         return parts_.back();
     }
 
-    // The place next to the middle stands for all.
-    static void choose_place(Part& part) {
+    // Orders places along the axis on which they spread most. Returns where the second half begins.
+    static std::size_t halve(std::span<Place> places) {
+        Box box;
+        for (const Place& place : places) {
+            box.extend(place.point.position);
+        }
+        const Vec3 extent = box.upper - box.lower;
+        const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : (extent.y >= extent.z ? 1 : 2);
+        std::stable_sort(places.begin(), places.end(), [axis](const Place& a, const Place& b) {
+            return a.point.position[axis] < b.point.position[axis];
+        });
+        return places.size() / 2;
+    }
+
+    // The place next to the middle stands for all. share: of a place.
+    static Fragment fragment_of(std::span<const Place> places, Fragment fragment, float share) {
         Vec3 middle(0.0F);
-        for (const Place& place : part.places) {
-            middle += place.point.position / static_cast<float>(part.places.size());
+        fragment.albedo = Rgb(0.0F);
+        for (const Place& place : places) {
+            middle += place.point.position / static_cast<float>(places.size());
+            fragment.albedo += share * place.albedo;
         }
-        const Place* best = nullptr;
-        float least = kInfinity;
-        for (const Place& place : part.places) {
-            const float distance = length_squared(place.point.position - middle);
-            if (best == nullptr || distance < least) {
-                least = distance;
-                best = &place;
-            }
-        }
-        part.fragment.hit = best->hit;
-        part.fragment.position = best->point.position;
-        part.fragment.normal = best->point.geometric_normal;
-        part.fragment.shading_normal = best->point.shading_normal;
+        const auto distance = [&](const Place& place) { return length_squared(place.point.position - middle); };
+        const Place& best = *std::min_element(places.begin(), places.end(), [&](const Place& a, const Place& b) {
+            return distance(a) < distance(b);
+        });
+        fragment.share = share * static_cast<float>(places.size());
+        fragment.hit = best.hit;
+        fragment.position = best.point.position;
+        fragment.normal = best.point.geometric_normal;
+        fragment.shading_normal = best.point.shading_normal;
+        return fragment;
     }
 
     const View& view_;
     const IrradianceAt* irradiance_at_;
     TileFragments& out_;
     std::vector<Part> parts_;
+    float darkest_ = 0, brightest_ = 0;  // of what shines by itself, over the samples
 };
+
+// Counted in the full picture: a crop shows what the full picture shows.
+void add_rays(const View& view, std::uint32_t x, std::uint32_t y, std::span<Ray> rays) {
+    for (std::uint32_t sample = 0; sample < rays.size(); ++sample) {
+        const Vec2 offset = view.filter.offset(pixel_id(x, y), sample);
+        rays[sample] = view.camera.ray(static_cast<float>(x) + 0.5F + offset.x, static_cast<float>(y) + 0.5F + offset.y);
+    }
+}
 
 TileFragments trace(const View& view, const Rectangle& tile, const IrradianceAt* irradiance_at) {
     TileFragments result;
@@ -183,23 +245,22 @@ TileFragments trace(const View& view, const Rectangle& tile, const IrradianceAt*
     const std::uint32_t samples = view.settings.samples;
     std::vector<Ray> rays(std::size_t{tile.width} * samples);
     std::vector<Hit> hits(rays.size());
+    std::vector<Ray> more_rays(std::size_t{kEdgeSamples} * samples);
+    std::vector<Hit> more_hits(more_rays.size());
     PixelBuilder builder(view, irradiance_at, result);
     for (std::uint32_t row = 0; row < tile.height; ++row) {
-        std::size_t next = 0;
         for (std::uint32_t column = 0; column < tile.width; ++column) {
-            // Counted in the full picture: a crop shows what the full picture shows.
-            const std::uint32_t x = view.settings.crop.x + tile.x + column;
-            const std::uint32_t y = view.settings.crop.y + tile.y + row;
-            for (std::uint32_t sample = 0; sample < samples; ++sample) {
-                const Vec2 offset = view.filter.offset(pixel_id(x, y), sample);
-                rays[next++] =
-                    view.camera.ray(static_cast<float>(x) + 0.5F + offset.x, static_cast<float>(y) + 0.5F + offset.y);
-            }
+            add_rays(view, view.settings.crop.x + tile.x + column, view.settings.crop.y + tile.y + row,
+                     std::span(rays).subspan(std::size_t{column} * samples, samples));
         }
         view.tracer.closest_hits(rays, hits, RayMask::kCamera, Coherence::kCoherent);
         for (std::uint32_t column = 0; column < tile.width; ++column) {
             const std::size_t first = std::size_t{column} * samples;
-            builder.add(std::span(rays).subspan(first, samples), std::span(hits).subspan(first, samples));
+            if (!builder.add(std::span(rays).subspan(first, samples), std::span(hits).subspan(first, samples), false)) {
+                add_rays(view, view.settings.crop.x + tile.x + column, view.settings.crop.y + tile.y + row, more_rays);
+                view.tracer.closest_hits(more_rays, more_hits, RayMask::kCamera, Coherence::kCoherent);
+                builder.add(more_rays, more_hits, true);
+            }
         }
     }
     return result;
@@ -213,6 +274,18 @@ TileFragments trace_tile(const View& view, const Rectangle& tile) {
 
 TileFragments trace_lit_tile(const View& view, const Rectangle& tile, const IrradianceAt& irradiance_at) {
     return trace(view, tile, &irradiance_at);
+}
+
+std::vector<FragmentPart> divide_pixel(const View& view, const TileFragments& tile, std::size_t pixel) {
+    const auto at = static_cast<std::uint32_t>(pixel);
+    std::vector<Ray> rays(tile.pixels[pixel].samples);
+    std::vector<Hit> hits(rays.size());
+    add_rays(view, view.settings.crop.x + tile.tile.x + at % tile.tile.width,
+             view.settings.crop.y + tile.tile.y + at / tile.tile.width,
+             rays);
+    view.tracer.closest_hits(rays, hits, RayMask::kCamera, Coherence::kCoherent);
+    TileFragments unused;
+    return PixelBuilder(view, nullptr, unused).divide(rays, hits);
 }
 
 std::uint64_t resolve_tile(const View& view, const TileFragments& tile, std::span<const Rgb> irradiance,
@@ -231,7 +304,7 @@ std::uint64_t resolve_tile(const View& view, const TileFragments& tile, std::spa
             }
         }
         // What remains is less than a sample only by rounding.
-        const bool any = kept * static_cast<float>(view.settings.samples) > 0.5F;
+        const bool any = kept * static_cast<float>(pixel.samples) > 0.5F;
         pixels[p] = any ? Rgba{color * (view.settings.exposure / kept), std::min(pixel.alpha / kept, 1.0F)} : Rgba{};
         dropped += 1 - kept;
     }

@@ -24,7 +24,8 @@ struct Fragment {
 };
 
 struct PixelFragments {
-    std::uint32_t end = 0;  // of the pixel's in TileFragments::fragments; they begin where those of the last one end
+    std::uint32_t end = 0;      // of the pixel's in TileFragments::fragments; they begin where those of the last one end
+    std::uint32_t samples = 0;  // coverage samples: more than the settings say where bright things end
     Rgb emitted{0.0F};      // mean over samples of radiance that needs no light: emission, the world
     float alpha = 0;        // 0..1
     float kept = 0;         // share of the samples that are finite; a pixel is the mean of these
@@ -40,6 +41,16 @@ struct TileFragments {
 };
 
 [[nodiscard]] TileFragments trace_tile(const View& view, const Rectangle& tile);
+
+// Samples of a fragment that lie next to one another, as a fragment of their own.
+struct FragmentPart {
+    Fragment at;
+    std::uint32_t fragment = 0;  // of the pixel's: which one it is a part of
+};
+
+// The parts of a pixel's fragments, up to four of each, where light changes within them. pixel: index into the tile's
+// pixels.
+[[nodiscard]] std::vector<FragmentPart> divide_pixel(const View& view, const TileFragments& tile, std::size_t pixel);
 
 // Irradiance [W/m2] where a ray met a surface, at its front or back.
 using IrradianceAt = std::function<Rgb(const Hit& hit, bool back)>;

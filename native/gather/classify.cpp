@@ -156,6 +156,8 @@ void Classifier::judge(Candidate& candidate, float tolerance) {
         (candidate.resample_visibility ? 1 : v) *
         std::max({candidate.spread, candidate.spread_bound, candidate.horizon ? brings : 0.0F});
     candidate.resample_form_factor = candidate.form_factor_error > tolerance;
+    // What few rays found visible is not all visible; and what is hidden is not among these senders, to make up for it.
+    candidate.resample_visibility = candidate.resample_visibility || (candidate.resample_form_factor && !lamp);
 }
 
 // Resamples more where the errors that are left add up to too much.

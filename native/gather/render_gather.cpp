@@ -2,9 +2,8 @@
 
 #include <array>
 #include <atomic>
-#include <functional>
 #include <mutex>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "core/control.h"
@@ -13,6 +12,7 @@
 #include "gather/classify.h"
 #include "gather/full_gather.h"
 #include "gather/grid_sites.h"
+#include "gather/light_jumps.h"
 #include "gather/shade.h"
 
 namespace gg {
@@ -30,71 +30,142 @@ float expected_irradiance(const Solution& solution, const Fragment& at) {
         interpolated_irradiance(solution, at.hit.instance, at.hit.triangle, at.back, {at.hit.u, at.hit.v}));
 }
 
-// Fills the film, tile by tile: what light_of(tile) gives for the fragments of tile_at(index).
-ViewCounts fill_tiles(const View& view, Film& film, Control& control,
-                      const std::function<TileFragments(std::uint32_t)>& tile_at,
-                      const std::function<std::vector<Rgb>(const TileFragments&)>& light_of) {
-    std::atomic<std::uint64_t> dropped{0};
+std::vector<TileFragments> trace_tiles(const View& view, const Film& film, Control& control, Statistics& statistics) {
+    const StageTimer timer(statistics, "visible points");
+    std::vector<TileFragments> tiles(film.tile_count());
+    parallel_for(tiles.size(), 1, control,
+                 [&](std::size_t i) { tiles[i] = trace_tile(view, film.tile(static_cast<std::uint32_t>(i))); });
+    return tiles;
+}
+
+void report(const GatherCounts& total, Statistics& statistics) {
+    statistics.set_count("gathered points", static_cast<double>(total.points));
+    statistics.set_count("resampled senders", static_cast<double>(total.senders));
+    statistics.set_count("form factors", static_cast<double>(total.form_factors));
+    statistics.set_count("visibility rays", static_cast<double>(total.visibility_rays));
+    statistics.set_count("near rays", static_cast<double>(total.near_rays));
+}
+
+// The light of a pixel's fragments as the mean over their parts.
+template <typename Light>
+void light_parts(const View& view, const TileFragments& tile, std::uint32_t pixel, const Light& light_at,
+                  TileLight& light) {
+    const std::uint32_t first = tile.begin_of(pixel);
+    std::vector<Rgb> reflected(tile.pixels[pixel].end - first, Rgb(0.0F)), albedo(reflected);
+    for (const FragmentPart& part : divide_pixel(view, tile, pixel)) {
+        reflected[part.fragment] += part.at.albedo * light_at(part.at);
+        albedo[part.fragment] += part.at.albedo;
+    }
+    for (std::size_t k = 0; k < reflected.size(); ++k) {
+        light[first + k] = reflected[k] / glm::max(albedo[k], Rgb(1e-20F));
+    }
+}
+
+// Fills the film: gatherers from make(), one for each thread at a time, say what light falls on fragments.
+template <typename Make>
+ViewCounts shade_tiles(const View& view, std::span<const TileFragments> tiles, const Make& make, Film& film,
+                       Control& control, Statistics& statistics) {
+    const StageTimer timer(statistics, "shading");
+    std::mutex mutex;
+    GatherCounts total;
     std::atomic<std::uint32_t> finished{0};
-    parallel_for(film.tile_count(), 1, control, [&](std::size_t i) {
-        const auto index = static_cast<std::uint32_t>(i);
-        const TileFragments tile = tile_at(index);
-        const std::vector<Rgb> irradiance = light_of(tile);
-        std::vector<Rgba> pixels(tile.pixels.size());
-        dropped += resolve_tile(view, tile, irradiance, pixels);
-        film.finish_tile(index, pixels);
-        control.set_stage_progress(static_cast<float>(++finished) / static_cast<float>(film.tile_count()));
+    const auto step = [&](auto& gatherer) {
+        const std::scoped_lock lock(mutex);
+        total += gatherer.counts();
+        control.set_stage_progress(static_cast<float>(++finished) / static_cast<float>(2 * tiles.size()));
+    };
+    std::vector<TileLight> light(tiles.size());
+    parallel_for(tiles.size(), 1, control, [&](std::size_t i) {
+        auto gatherer = make();
+        light[i].reserve(tiles[i].fragments.size());
+        for (const Fragment& fragment : tiles[i].fragments) {
+            control.check_cancel();
+            light[i].push_back(gatherer.irradiance(fragment));
+        }
+        step(gatherer);
     });
+    std::atomic<std::uint64_t> dropped{0}, divided{0};
+    const PixelMap map(tiles);
+    parallel_for(tiles.size(), 1, control, [&](std::size_t i) {
+        auto gatherer = make();
+        TileLight own = light[i];
+        for (const std::uint32_t pixel : map.jumps_in(i, tiles, light)) {
+            control.check_cancel();
+            light_parts(view, tiles[i], pixel, [&](const Fragment& at) { return gatherer.irradiance(at); }, own);
+            ++divided;
+        }
+        std::vector<Rgba> pixels(tiles[i].pixels.size());
+        dropped += resolve_tile(view, tiles[i], own, pixels);
+        film.finish_tile(static_cast<std::uint32_t>(i), pixels);
+        step(gatherer);
+    });
+    report(total, statistics);
+    statistics.set_count("pixels divided", static_cast<double>(divided));
     const std::uint64_t pixels = std::uint64_t{view.settings.crop.width} * view.settings.crop.height;
     return {pixels * view.settings.samples, dropped};
 }
+
+struct FullGatherer {
+    const Solution& solution;
+    FullGather gather;
+
+    Rgb irradiance(const Fragment& at) { return gather.irradiance(at, expected_irradiance(solution, at)); }
+    [[nodiscard]] const GatherCounts& counts() const { return gather.counts(); }
+};
+
+struct GridGatherer {
+    const PerspectiveGrid& grid;
+    const GridReceivers& receivers;
+    const std::vector<Site>& sites;
+    Shader shader;
+
+    Rgb irradiance(const Fragment& at) {
+        const GridPlace place = grid.place(at.position);
+        std::array<WeightedSite, 4> around;
+        std::size_t count = 0;
+        float sum = 0;
+        for (int k = 0; k < 4; ++k) {
+            const std::uint32_t site = receivers.site_at(place.vertices[k]);
+            if (place.weights[k] > 0 && site != kNone) {
+                around[count++] = {&sites[site], place.weights[k]};
+                sum += place.weights[k];
+            }
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            around[k].weight /= sum;
+        }
+        return shader.irradiance(at, std::span(around).first(count));
+    }
+    [[nodiscard]] const GatherCounts& counts() const { return shader.counts(); }
+};
 
 }  // namespace
 
 ViewCounts full_gather(const Solution& solution, const View& view, Film& film, Control& control,
                        Statistics& statistics) {
+    const std::vector<TileFragments> tiles = trace_tiles(view, film, control, statistics);
     const ClusterPoints points(solution, control);
-    std::mutex mutex;
-    GatherCounts total;
-    const auto light_of = [&](const TileFragments& tile) {
-        FullGather gather(solution, points, view.tracer, kFullSamples);
-        std::vector<Rgb> irradiance;
-        irradiance.reserve(tile.fragments.size());
-        for (const Fragment& fragment : tile.fragments) {
-            control.check_cancel();
-            irradiance.push_back(gather.irradiance(fragment, expected_irradiance(solution, fragment)));
-        }
-        const std::scoped_lock lock(mutex);
-        total += gather.counts();
-        return irradiance;
-    };
-    const ViewCounts counts = fill_tiles(
-        view, film, control, [&](std::uint32_t index) { return trace_tile(view, film.tile(index)); }, light_of);
-    statistics.set_count("gathered points", static_cast<double>(total.points));
-    statistics.set_count("resampled senders", static_cast<double>(total.senders));
-    statistics.set_count("visibility rays", static_cast<double>(total.visibility_rays));
-    statistics.set_count("near rays", static_cast<double>(total.near_rays));
-    return counts;
+    const auto make = [&] { return FullGatherer{solution, {solution, points, view.tracer, kFullSamples}}; };
+    return shade_tiles(view, tiles, make, film, control, statistics);
 }
 
 ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t width, std::uint32_t height,
                        Film& film, Control& control, Statistics& statistics) {
-    std::vector<TileFragments> tiles(film.tile_count());
-    {
-        const StageTimer timer(statistics, "visible points");
-        parallel_for(tiles.size(), 1, control,
-                     [&](std::size_t i) { tiles[i] = trace_tile(view, film.tile(static_cast<std::uint32_t>(i))); });
-    }
+    const std::vector<TileFragments> tiles = trace_tiles(view, film, control, statistics);
     std::vector<Site> sites;
     const ClusterPoints points(solution, control);
     const NodeOrder order(hierarchy_of(solution));
     GridSettings cells;
-    cells.cell = static_cast<float>(std::min(width, height)) / kCellsAcross;
+    cells.cell = static_cast<float>(std::min(width, height)) / (getenv("GG_C") ? atof(getenv("GG_C")) : kCellsAcross);
     const PerspectiveGrid grid = fit_grid(view, static_cast<float>(width), static_cast<float>(height), tiles, cells);
     const GridReceivers receivers(solution, grid, tiles, control);
     {
         const StageTimer timer(statistics, "classification");
         ClassifySettings settings;
+        if (getenv("GG_T")) settings.threshold = atof(getenv("GG_T"));
+        if (getenv("GG_R")) settings.reach = atof(getenv("GG_R"));
+        if (getenv("GG_S")) settings.sky_leaf = atof(getenv("GG_S"));
+        if (getenv("GG_N")) settings.samples = atoi(getenv("GG_N"));
         settings.least_radiosity = kDarkest * receivers.mean_radiosity();
         sites.resize(receivers.site_count());
         std::mutex mutex;
@@ -102,6 +173,7 @@ ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t
         parallel_blocks(sites.size(), kSitesAtOnce, control, [&](std::size_t begin, std::size_t end) {
             Classifier classifier(solution, order, points, view.tracer, settings);
             for (std::size_t i = begin; i < end; ++i) {
+                control.check_cancel();
                 sites[i] = classifier.classify(receivers.of(i));
             }
             const std::scoped_lock lock(mutex);
@@ -115,37 +187,8 @@ ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t
         statistics.set_count("senders resampled: visibility", static_cast<double>(total.only_visibility));
         statistics.set_count("senders resampled: form factor", static_cast<double>(total.only_form_factor));
     }
-    const StageTimer timer(statistics, "shading");
-    std::mutex mutex;
-    GatherCounts total;
-    const auto light_of = [&](const TileFragments& tile) {
-        Shader shader(solution, order, points, view.tracer);
-        std::vector<Rgb> irradiance;
-        irradiance.reserve(tile.fragments.size());
-        for (const Fragment& fragment : tile.fragments) {
-            control.check_cancel();
-            const GridPlace place = grid.place(fragment.position);
-            std::array<WeightedSite, 4> around;
-            std::size_t count = 0;
-            for (int k = 0; k < 4; ++k) {
-                if (place.weights[k] > 0) {
-                    around[count++] = {&sites[receivers.site_at(place.vertices[k])], place.weights[k]};
-                }
-            }
-            irradiance.push_back(shader.irradiance(fragment, std::span(around).first(count)));
-        }
-        const std::scoped_lock lock(mutex);
-        total += shader.counts();
-        return irradiance;
-    };
-    const ViewCounts counts = fill_tiles(
-        view, film, control, [&](std::uint32_t index) { return std::move(tiles[index]); }, light_of);
-    statistics.set_count("gathered points", static_cast<double>(total.points));
-    statistics.set_count("resampled senders", static_cast<double>(total.senders));
-    statistics.set_count("near rays", static_cast<double>(total.near_rays));
-    statistics.set_count("form factors", static_cast<double>(total.form_factors));
-    statistics.set_count("visibility rays", static_cast<double>(total.visibility_rays));
-    return counts;
+    const auto make = [&] { return GridGatherer{grid, receivers, sites, {solution, order, points, view.tracer}}; };
+    return shade_tiles(view, tiles, make, film, control, statistics);
 }
 
 }  // namespace gg

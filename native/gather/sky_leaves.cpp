@@ -9,7 +9,8 @@ namespace gg {
 namespace {
 
 constexpr std::uint32_t kFirstRays = 2, kLeafRays = 4;
-constexpr std::uint8_t kFinest = 10;
+constexpr float kMostLeaves = 128;  // in what is seen of the sky
+constexpr std::uint8_t kFinest = 9;
 constexpr std::uint64_t kLookSeed = 0x736b7931, kLeafSeed = 0x736b7932;
 
 std::uint32_t id_of(SkyCell cell) {
@@ -23,6 +24,13 @@ SkyLeaf make_leaf(SkyCell cell) {
 }
 
 }  // namespace
+
+SkyLeaves::State SkyLeaves::state_of(const Look& look) {
+    if (look.rays == 0) {
+        return State::kUnknown;
+    }
+    return look.misses == 0 ? State::kHidden : (look.misses == look.rays ? State::kSeen : State::kMixed);
+}
 
 SkyLeaves::SkyLeaves(const RayTracer& tracer, Rgb radiance) : tracer_(tracer), radiance_(radiance) {}
 
@@ -65,58 +73,72 @@ void SkyLeaves::find(std::span<const Receiver> receivers, const Surroundings& ar
         cells_.push_back(site_cell(c));
     }
     look_into(cells_, kFirstRays, receivers);
-    // -1: nobody looks there, 0: hidden, 1: seen, 2: both.
-    std::vector<int> state(kSiteCells, -1);
+    states_.assign(kSiteCells, State::kUnknown);
+    float seen_angle = 0;  // sr
     for (std::uint32_t c = 0; c < kSiteCells; ++c) {
         const Seen seen = around.seen()[c];
-        const std::uint32_t rays = looks_[c].rays + (seen != Seen::kNothing),
-                            misses = looks_[c].misses + (seen == Seen::kSky);
-        if (rays > 0) {
-            state[c] = misses == 0 ? 0 : (misses == rays ? 1 : 2);
+        Look look = looks_[c];
+        look.rays += seen != Seen::kNothing ? 1 : 0;
+        look.misses += seen == Seen::kSky ? 1 : 0;
+        states_[c] = state_of(look);
+        if (look.rays > 0) {
+            seen_angle += static_cast<float>(look.misses) / static_cast<float>(look.rays) * cell_solid_angle(cells_[c]);
         }
     }
-    finer_.clear();
-    for (std::uint32_t c = 0; c < kSiteCells; ++c) {
-        const SkyCell cell = site_cell(c);
-        bool even = state[c] != 2;
-        for (int dj = -1; dj <= 1 && even; ++dj) {
-            for (int di = -1; di <= 1; ++di) {
-                const int i = cell.i + di, j = cell.j + dj;
-                if (i >= 0 && j >= 0 && i < static_cast<int>(kSiteSide) && j < static_cast<int>(kSiteSide)) {
-                    const int other = state[site_index(
-                        {kSiteLevel, cell.face, static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j)})];
-                    even = even && (other < 0 || other == state[c]);
-                }
-            }
-        }
-        if (!even && state[c] >= 0) {
-            finer_.push_back(cell);
-        } else if (state[c] == 1) {
-            table.add(table_index(cell), cell_solid_angle(cell) * radiance_);
-        }
-    }
-    while (!finer_.empty() && cell_solid_angle(finer_.front()) > size && finer_.front().level < kFinest) {
+    settle(kSiteLevel, table);
+    const float most = std::max(size, seen_angle / kMostLeaves);
+    std::uint8_t level = kSiteLevel;
+    while (!finer_.empty() && cell_solid_angle(finer_.front()) > most && level < kFinest) {
+        ++level;
         cells_.clear();
         for (const SkyCell cell : finer_) {
             for (const SkyCell child : children(cell)) {
                 cells_.push_back(child);
             }
         }
-        // Parts that all agree are not divided again.
+        finer_ = cells_;
+    }
+    if (level > kSiteLevel) {
         look_into(cells_, kLeafRays, receivers);
-        finer_.clear();
-        for (std::size_t c = 0; c < cells_.size(); ++c) {
-            if (looks_[c].misses > 0 && looks_[c].misses < looks_[c].rays) {
-                finer_.push_back(cells_[c]);
-            } else if (looks_[c].misses > 0) {
-                table.add(table_index(cells_[c]), cell_solid_angle(cells_[c]) * radiance_);
-            }
+        states_.clear();
+        for (const Look& look : looks_) {
+            states_.push_back(state_of(look));
         }
+        settle(level, table);
     }
     for (const SkyCell cell : finer_) {
         leaves.push_back(make_leaf(cell));
     }
     std::sort(leaves.begin(), leaves.end(), [](const SkyLeaf& a, const SkyLeaf& b) { return a.id < b.id; });
+}
+
+// Cells that agree with all their neighbours are settled; finer_ are the others.
+void SkyLeaves::settle(std::uint8_t level, DirectionTable& table) {
+    const int side = 1 << level;
+    places_.assign(std::size_t{2} * side * side, kNone);
+    const auto place = [&](int face, int i, int j) { return (static_cast<std::size_t>(face) * side + j) * side + i; };
+    for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+        places_[place(cells_[c].face, cells_[c].i, cells_[c].j)] = c;
+    }
+    finer_.clear();
+    for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+        const SkyCell cell = cells_[c];
+        if (states_[c] == State::kUnknown) {
+            continue;
+        }
+        bool even = states_[c] != State::kMixed;
+        for (int k = 0; k < 9 && even; ++k) {
+            const int i = cell.i + k % 3 - 1, j = cell.j + k / 3 - 1;
+            const bool inside = i >= 0 && j >= 0 && i < side && j < side;
+            const std::uint32_t other = inside ? places_[place(cell.face, i, j)] : kNone;
+            even = other == kNone || states_[other] == State::kUnknown || states_[other] == states_[c];
+        }
+        if (!even) {
+            finer_.push_back(cell);
+        } else if (states_[c] == State::kSeen) {
+            table.add(table_index(cell), cell_solid_angle(cell) * radiance_);
+        }
+    }
 }
 
 }  // namespace gg

@@ -36,12 +36,17 @@ class SkyLeaves {
     struct Look {
         std::uint32_t rays = 0, misses = 0;
     };
+    enum class State : std::uint8_t { kUnknown, kHidden, kSeen, kMixed };
+    [[nodiscard]] static State state_of(const Look& look);
+    void settle(std::uint8_t level, DirectionTable& table);
     void look_into(std::span<const SkyCell> cells, std::uint32_t count, std::span<const Receiver> receivers);
 
     const RayTracer& tracer_;
     Rgb radiance_;
     std::vector<SkyCell> cells_, finer_;
-    std::vector<Look> looks_;  // per cell
+    std::vector<Look> looks_;    // per cell
+    std::vector<State> states_;  // per cell
+    std::vector<std::uint32_t> places_;  // of cells in the picture of a level
     std::vector<Ray> rays_;
     std::vector<std::uint32_t> owners_;  // per ray
     std::vector<std::uint8_t> blocked_;

@@ -8,6 +8,7 @@ namespace gg {
 
 namespace {
 
+constexpr float kDoubt = 2;  // rays: one that passes by what is near says little of a whole cell
 constexpr std::uint64_t kSiteSeed = 0x73697465, kNearSeed = 0x6e656172;
 
 }  // namespace
@@ -36,17 +37,9 @@ void Surroundings::trace() {
         if (hit.missed()) {
             continue;
         }
-        const Vec3 point = rays_[i].origin + hit.distance * rays_[i].direction;
         const bool back = dot(world_area_vector(hierarchy.scene(), hit.instance, hit.triangle), rays_[i].direction) > 0;
-        const NodeId place = place_at(solution_, hit.instance, hit.triangle, back, point);
-        Met met{cells_[i], 0, hit.distance, Rgb(0.0F)};
-        if (place != kNone) {
-            met.rank = order_.rank(place);
-            met.radiance = (is_cluster(hierarchy[place]) ? face_radiosity(solution_, hit.instance, hit.triangle, back)
-                                                         : radiosity_of(solution_, place)) /
-                           kPi;
-        }
-        met_.push_back(met);
+        const LitPlace lit = lit_place(solution_, hit, back);
+        met_.push_back({cells_[i], lit.place != kNone ? order_.rank(lit.place) : 0, hit.distance, lit.radiosity / kPi});
     }
 }
 
@@ -95,10 +88,9 @@ void Surroundings::add_to(DirectionTable& table, std::span<const RankRange> apar
     }
     for (std::uint32_t c = 0; c < kTableCells; ++c) {
         const Sum& sum = sums[c];
-        if (sum.far_count >= 0.5F) {
-            table.add(c, kTableSolidAngle / sum.far_count * sum.far);
-        } else if (sum.count > 0) {
-            table.add(c, kTableSolidAngle / sum.count * sum.all);
+        if (sum.count > 0) {
+            const Rgb mean = sum.all / sum.count;
+            table.add(c, kTableSolidAngle / (sum.far_count + kDoubt) * (sum.far + kDoubt * mean));
         }
     }
 }

@@ -8,6 +8,7 @@
 #include "gridgather.h"
 #include "radiosity/instance_parts.h"
 #include "radiosity/quarter.h"
+#include "radiosity/solution.h"
 #include "radiosity/t_vertices.h"
 
 namespace gg {
@@ -174,6 +175,16 @@ Rgb look_up_piece(const InstanceVertices& vertices, const std::vector<Rgb>& valu
     }
 }
 
+// The undivided element below `id` around a point of its triangle, and the point's weights of its corners 1 and 2.
+std::pair<NodeId, Vec2> leaf_place(const Hierarchy& hierarchy, NodeId id, Vec2 place) {
+    while (hierarchy[id].child_count > 0) {
+        const int quarter = quarter_at(place);
+        place = place_in_quarter(place, quarter);
+        id = hierarchy[id].first_child + quarter;
+    }
+    return {id, place};
+}
+
 }  // namespace
 
 void interpolate_to_vertices(Solution& solution, const Control& control) {
@@ -205,15 +216,24 @@ Rgb interpolated_irradiance(const Solution& solution, std::uint32_t instance, st
         return vertices.midpoints.empty() ? blend(values, corners, barycentric)
                                           : look_up_piece(vertices, values, whole_piece(corners), barycentric);
     }
-    Vec2 place = barycentric;
-    while (solution.hierarchy[id].child_count > 0) {
-        const int quarter = quarter_at(place);
-        place = place_in_quarter(place, quarter);
-        id = solution.hierarchy[id].first_child + quarter;
-    }
-    const ElementVertices& leaf = solution.element_vertices[id];
+    const auto [leaf_element, place] = leaf_place(solution.hierarchy, id, barycentric);
+    const ElementVertices& leaf = solution.element_vertices[leaf_element];
     return leaf.has_t_vertices ? look_up_piece(vertices, values, whole_piece(leaf.vertices), place)
                                : blend(values, leaf.vertices, place);
+}
+
+LitPlace lit_place(const Solution& solution, const Hit& hit, bool back) {
+    const NodeId element = solution.elements.of(hit.instance, hit.triangle, back);
+    if (element == kNone) {
+        if (!has_side(solution.hierarchy.scene().sides_of(hit.instance, hit.triangle), back)) {
+            return {};
+        }
+        const NodeId cluster = solution.clusters.of(hit.instance, hit.triangle);
+        return {cluster, cluster != kNone ? face_radiosity(solution, hit.instance, hit.triangle, back) : Rgb(0.0F)};
+    }
+    const auto [leaf, place] = leaf_place(solution.hierarchy, element, {hit.u, hit.v});
+    const auto corners = corner_radiosity(solution, leaf);
+    return {leaf, (1 - place.x - place.y) * corners[0] + place.x * corners[1] + place.y * corners[2]};
 }
 
 }  // namespace gg

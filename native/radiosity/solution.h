@@ -37,6 +37,13 @@ struct Solution;  // radiosity/solution_data.h; immutable, may be read by many t
 // Standard deviation of its luminance over the node's faces, W/m2.
 [[nodiscard]] float spread_of(const Solution& solution, NodeId node);
 
+// Where a ray met a face.
+struct LitPlace {
+    NodeId place = kNone;  // undivided element or leaf cluster; kNone: no light reaches it
+    Rgb radiosity{0.0F};   // there, W/m2: over an element it changes as between its corners, over a cluster face by face
+};
+[[nodiscard]] LitPlace lit_place(const Solution& solution, const Hit& hit, bool back);
+
 // At the corners of an undivided element, W/m2: between it and its neighbours, scaled so that the mean is the
 // element's.
 [[nodiscard]] std::array<Rgb, 3> corner_radiosity(const Solution& solution, NodeId leaf_element);

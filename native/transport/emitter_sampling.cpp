@@ -5,6 +5,7 @@
 #include "core/random.h"
 #include "scene/light_units.h"
 #include "transport/form_factor.h"
+#include "transport/spherical_rectangle.h"
 
 namespace gg {
 namespace {
@@ -71,14 +72,36 @@ LampSample sample_sphere(const Lamp& lamp, Vec3 x, float u, float v) {
     return sample;
 }
 
+// By solid angle, so that no sample outweighs the others. False where a rectangle is so far that its area does as well,
+// x lies in its plane, or it is sheared.
+bool sample_rectangle(const Lamp& lamp, Vec3 x, float u, float v, LampSample& sample) {
+    constexpr float kFar = 50;  // in half diagonals
+    const Vec3 to = lamp.position - x;
+    const float size = length_squared(lamp.half_x) + length_squared(lamp.half_y);
+    const bool sheared = std::abs(dot(lamp.half_x, lamp.half_y)) > 1e-5F * size;
+    if (sheared || length_squared(to) > kFar * kFar * size || !(-dot(to, lamp.direction) > 1e-6F * std::sqrt(size))) {
+        return false;
+    }
+    const SphericalRectangle seen(lamp.position, lamp.half_x, lamp.half_y, x);
+    const Vec3 to_sample = seen.point(u, v);
+    sample.point = x + to_sample;
+    sample.distance = length(to_sample);
+    sample.direction = to_sample / sample.distance;
+    sample.normal_irradiance = lamp.radiance * seen.solid_angle();
+    return true;
+}
+
 LampSample sample_flat(const Lamp& lamp, Vec3 x, float u, float v) {
+    LampSample sample;
+    if (lamp.shape == LampShape::kRectangle && sample_rectangle(lamp, x, u, v, sample)) {
+        return sample;
+    }
     Vec2 local{2 * u - 1, 2 * v - 1};
     float area = 4 * length(cross(lamp.half_x, lamp.half_y));
     if (lamp.shape == LampShape::kEllipse) {
         local = square_to_disk(u, v);
         area *= kPi / 4;
     }
-    LampSample sample;
     sample.point = lamp.position + local.x * lamp.half_x + local.y * lamp.half_y;
     const Vec3 to_sample = sample.point - x;
     const float squared = length_squared(to_sample);
