@@ -11,9 +11,9 @@ namespace gg {
 
 namespace {
 
-constexpr float kSameNormal = 0.97F;  // cosine of the largest angle within a fragment
+constexpr float kSameNormal = 0.97F;       // cosine of the largest angle within a fragment
 constexpr std::uint32_t kEdgeSamples = 4;  // times the samples, where something that shines ends within a pixel
-constexpr float kSamePlane = 2;       // largest distance from a fragment's plane, in pixels
+constexpr float kSamePlane = 2;            // largest distance from a fragment's plane, in pixels
 
 // Twice the area of the triangle in texture coordinates.
 float uv_area(const Mesh& mesh, std::uint32_t triangle) {
@@ -212,9 +212,8 @@ class PixelBuilder {
             fragment.albedo += share * place.albedo;
         }
         const auto distance = [&](const Place& place) { return length_squared(place.point.position - middle); };
-        const Place& best = *std::min_element(places.begin(), places.end(), [&](const Place& a, const Place& b) {
-            return distance(a) < distance(b);
-        });
+        const Place& best = *std::min_element(
+            places.begin(), places.end(), [&](const Place& a, const Place& b) { return distance(a) < distance(b); });
         fragment.share = share * static_cast<float>(places.size());
         fragment.hit = best.hit;
         fragment.position = best.point.position;
@@ -234,7 +233,8 @@ class PixelBuilder {
 void add_rays(const View& view, std::uint32_t x, std::uint32_t y, std::span<Ray> rays) {
     for (std::uint32_t sample = 0; sample < rays.size(); ++sample) {
         const Vec2 offset = view.filter.offset(pixel_id(x, y), sample);
-        rays[sample] = view.camera.ray(static_cast<float>(x) + 0.5F + offset.x, static_cast<float>(y) + 0.5F + offset.y);
+        rays[sample] =
+            view.camera.ray(static_cast<float>(x) + 0.5F + offset.x, static_cast<float>(y) + 0.5F + offset.y);
     }
 }
 
@@ -281,8 +281,7 @@ std::vector<FragmentPart> divide_pixel(const View& view, const TileFragments& ti
     std::vector<Ray> rays(tile.pixels[pixel].samples);
     std::vector<Hit> hits(rays.size());
     add_rays(view, view.settings.crop.x + tile.tile.x + at % tile.tile.width,
-             view.settings.crop.y + tile.tile.y + at / tile.tile.width,
-             rays);
+             view.settings.crop.y + tile.tile.y + at / tile.tile.width, rays);
     view.tracer.closest_hits(rays, hits, RayMask::kCamera, Coherence::kCoherent);
     TileFragments unused;
     return PixelBuilder(view, nullptr, unused).divide(rays, hits);

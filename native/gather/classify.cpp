@@ -16,6 +16,8 @@ namespace {
 constexpr float kAlmost = 0.9999F;  // of the way to a sender
 constexpr std::uint32_t kFewPairs = 2, kLeastPairs = 4, kMostPairs = 64;
 constexpr std::size_t kMeasured = 16;  // receivers that a sender is measured at, of those that it may light
+constexpr std::size_t kGlanced = 3;    // and at so many first
+constexpr float kPromising = 0.3F;     // share of the tolerance from which a sender is measured in full
 constexpr float kSettled = 0.1F;       // share of the tolerance from which a sender is looked at closely
 constexpr float kLeastSamples = 1;
 constexpr float kFullReach = 0.7F;    // share of the reach within which everything is near
@@ -120,7 +122,7 @@ void Classifier::add_rays(Candidate& candidate, std::span<const Receiver> receiv
             }
         } else {
             const SenderPoint target =
-                sender_point(solution_, sender, point, receiver.position, receiver.shading_normal);
+                SenderSampler(solution_, sender, receiver.position).point(point, receiver.shading_normal);
             if (target.weight > 0 && receiver.faces(target.direction)) {
                 rays_.push_back({receiver.position, target.direction, 0, target.infinite ? kInfinity : kAlmost});
                 ++point;
@@ -218,8 +220,12 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
         candidate.cut = sender;
         candidate.bound = bound(sender.sender, bounds);
         if (node.kind != NodeKind::kSky && (node.kind == NodeKind::kLamp || candidate.bound > tolerance)) {
-            measure(candidate, receivers, kMeasured);
-            if (node.kind == NodeKind::kLamp ? candidate.largest > 0 : candidate.largest > tolerance) {
+            const bool lamp = node.kind == NodeKind::kLamp;
+            measure(candidate, receivers, lamp ? kMeasured : kGlanced);
+            if (!lamp && candidate.largest > kPromising * tolerance) {
+                measure(candidate, receivers, kMeasured);
+            }
+            if (candidate.largest > (lamp ? 0 : tolerance)) {
                 all += luminance(candidate.irradiance);
                 candidates_.push_back(candidate);
             }

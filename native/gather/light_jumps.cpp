@@ -8,7 +8,7 @@ namespace gg {
 
 namespace {
 
-constexpr float kJump = 0.3F;         // of the pixel's light
+constexpr float kJump = 0.2F;         // of the pixel's light
 constexpr float kSameSurface = 0.9F;  // cosine between normals
 
 bool is_same_surface(const Fragment& a, const Fragment& b) {
@@ -58,8 +58,8 @@ std::vector<std::uint32_t> PixelMap::jumps_in(std::size_t tile, std::span<const 
             for (std::uint32_t f = own.begin_of(p); f < own.pixels[p].end && !jumps; ++f) {
                 for (std::uint32_t g = other.begin_of(neighbour->index); g < other.pixels[neighbour->index].end; ++g) {
                     if (is_same_surface(own.fragments[f], other.fragments[g])) {
-                        const float step = luminance(own.fragments[f].albedo *
-                                                     glm::abs(light[tile][f] - light[neighbour->tile][g]));
+                        const float step =
+                            luminance(own.fragments[f].albedo * glm::abs(light[tile][f] - light[neighbour->tile][g]));
                         jumps = jumps || step > (getenv("GG_J") ? atof(getenv("GG_J")) : kJump) * pixel;
                     }
                 }

@@ -49,7 +49,7 @@ void report(const GatherCounts& total, Statistics& statistics) {
 // The light of a pixel's fragments as the mean over their parts.
 template <typename Light>
 void light_parts(const View& view, const TileFragments& tile, std::uint32_t pixel, const Light& light_at,
-                  TileLight& light) {
+                 TileLight& light) {
     const std::uint32_t first = tile.begin_of(pixel);
     std::vector<Rgb> reflected(tile.pixels[pixel].end - first, Rgb(0.0F)), albedo(reflected);
     for (const FragmentPart& part : divide_pixel(view, tile, pixel)) {
@@ -91,7 +91,8 @@ ViewCounts shade_tiles(const View& view, std::span<const TileFragments> tiles, c
         TileLight own = light[i];
         for (const std::uint32_t pixel : map.jumps_in(i, tiles, light)) {
             control.check_cancel();
-            light_parts(view, tiles[i], pixel, [&](const Fragment& at) { return gatherer.irradiance(at); }, own);
+            light_parts(
+                view, tiles[i], pixel, [&](const Fragment& at) { return gatherer.irradiance(at); }, own);
             ++divided;
         }
         std::vector<Rgba> pixels(tiles[i].pixels.size());

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kSkySide = 4;              // directions of a cell along each side
 constexpr float kFar = 5, kNear = 2.5F;  // in radii: an element is even from the first on, linear from the second
+constexpr float kPoint = 6;              // in radii: from there on its vector is that of a point
 constexpr int kLevels = 1;               // of quarters of a linear element
 
 template <typename Body>
@@ -74,8 +75,12 @@ IrradianceVector irradiance_vector(const Solution& solution, NodeId sender, Vec3
     if (node.kind == NodeKind::kSky) {
         for_each_direction(node, [&](Vec3 d) { vector += d; });
         vector *= node.area / kPi / (kSkySide * kSkySide);
-    } else if (dot(x - node.corner[0], node.normal) > 0) {
-        vector = vector_form_factor(x, std::span<const Vec3>(node.corner));
+    } else if (const Vec3 to = node.center - x; dot(x - node.corner[0], node.normal) > 0) {
+        // From afar a triangle is as good as a point.
+        const float square = length_squared(to);
+        vector = square > kPoint * kPoint * node.radius * node.radius
+                     ? -dot(to, node.normal) * node.area / (kPi * square * square) * to
+                     : vector_form_factor(x, std::span<const Vec3>(node.corner));
     }
     const float size = length(vector);
     return {size * radiosity_of(solution, sender), size > 0 ? vector / size : Vec3(0, 0, 1)};

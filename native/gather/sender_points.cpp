@@ -137,24 +137,29 @@ std::span<const FacePoint> ClusterPoints::of(NodeId cluster) const {
     return luminance(found.front().power) > 0 ? found : std::span<const FacePoint>();
 }
 
-SenderPoint sender_point(const Solution& solution, NodeId sender, std::uint32_t index, Vec3 x, Vec3 normal) {
-    const Node& node = hierarchy_of(solution)[sender];
-    const Sequence4 places(hash64(node.stable_id, kPlaceSeed));
-    const float u = places(index, 0), v = places(index, 1);
-    if (node.kind == NodeKind::kLamp) {
-        const LampSample sample = sample_lamp(hierarchy_of(solution).scene().lamps[node.source], x, u, v);
+SenderSampler::SenderSampler(const Solution& solution, NodeId sender, Vec3 x)
+    : node_(hierarchy_of(solution)[sender]), x_(x), places_(hash64(node_.stable_id, kPlaceSeed)) {
+    if (node_.kind == NodeKind::kLamp) {
+        lamp_.emplace(hierarchy_of(solution).scene().lamps[node_.source], x);
+    }
+}
+
+SenderPoint SenderSampler::point(std::uint32_t index, Vec3 normal) const {
+    const float u = places_(index, 0), v = places_(index, 1);
+    if (lamp_) {
+        const LampSample sample = lamp_->sample(u, v);
         const float weight = luminance(sample.normal_irradiance) * std::max(0.0F, dot(normal, sample.direction));
         const bool infinite = std::isinf(sample.distance);
-        return {infinite ? sample.direction : sample.point - x, infinite, weight};
+        return {infinite ? sample.direction : sample.point - x_, infinite, weight};
     }
-    if (node.kind == NodeKind::kSky) {
-        const Vec3 direction = cell_direction(sky_cell_of(node), u, v);
+    if (node_.kind == NodeKind::kSky) {
+        const Vec3 direction = cell_direction(sky_cell_of(node_), u, v);
         return {direction, true, std::max(0.0F, dot(normal, direction))};
     }
     const Vec3 w = square_to_triangle(u, v);
-    const Vec3 to = w.x * node.corner[0] + w.y * node.corner[1] + w.z * node.corner[2] - x;
-    const float square = length_squared(to) + 1e-3F * node.area;
-    return {to, false, std::max(0.0F, dot(normal, to)) * std::max(0.0F, -dot(node.normal, to)) / (square * square)};
+    const Vec3 to = w.x * node_.corner[0] + w.y * node_.corner[1] + w.z * node_.corner[2] - x_;
+    const float square = length_squared(to) + 1e-3F * node_.area;
+    return {to, false, std::max(0.0F, dot(normal, to)) * std::max(0.0F, -dot(node_.normal, to)) / (square * square)};
 }
 
 }  // namespace gg

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "core/random.h"
 #include "radiosity/solution.h"
+#include "transport/emitter_sampling.h"
 
 namespace gg {
 
@@ -42,8 +45,19 @@ struct SenderPoint {
     float weight = 0;  // what arrives from there: cosines over distance squared, any constant factor
 };
 
-// normal: unit, of the receiver.
-[[nodiscard]] SenderPoint sender_point(const Solution& solution, NodeId sender, std::uint32_t index, Vec3 x,
-                                       Vec3 normal);
+// The points of a sender as a receiver at x sees them. Keeps references.
+class SenderSampler {
+  public:
+    SenderSampler(const Solution& solution, NodeId sender, Vec3 x);
+
+    // normal: unit, of the receiver.
+    [[nodiscard]] SenderPoint point(std::uint32_t index, Vec3 normal) const;
+
+  private:
+    const Node& node_;
+    Vec3 x_;
+    Sequence4 places_;
+    std::optional<LampSampler> lamp_;
+};
 
 }  // namespace gg

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "gather/sender_light.h"
 #include "trace/surface_point.h"
@@ -92,6 +93,10 @@ void Shader::add_rays(const Fragment& at, Vec3 x, Task& task) {
     const float fraction = samples - static_cast<float>(whole);
     const float of_all = (1 - fraction) / static_cast<float>(whole) + fraction / static_cast<float>(whole + 1);
     const float of_last = fraction / static_cast<float>(whole + 1);
+    std::optional<SenderSampler> sampler;
+    if (!is_cluster(node)) {
+        sampler.emplace(solution_, task.sender, x);
+    }
     for (std::uint32_t i = 0; i < whole + (fraction > 0 ? 1 : 0); ++i) {
         const float share = i < whole ? of_all : of_last;
         if (is_cluster(node)) {
@@ -100,7 +105,7 @@ void Shader::add_rays(const Fragment& at, Vec3 x, Task& task) {
             const Rgb light = irradiance_from(point, 1, to, at.shading_normal, 0.5F * node.area / kClusterPoints);
             add(to, false, luminance(light), share);
         } else {
-            const SenderPoint point = sender_point(solution_, task.sender, i, x, at.shading_normal);
+            const SenderPoint point = sampler->point(i, at.shading_normal);
             add(point.direction, point.infinite, point.weight, share);
         }
     }

@@ -44,8 +44,8 @@ class SkyLeaves {
     const RayTracer& tracer_;
     Rgb radiance_;
     std::vector<SkyCell> cells_, finer_;
-    std::vector<Look> looks_;    // per cell
-    std::vector<State> states_;  // per cell
+    std::vector<Look> looks_;            // per cell
+    std::vector<State> states_;          // per cell
     std::vector<std::uint32_t> places_;  // of cells in the picture of a level
     std::vector<Ray> rays_;
     std::vector<std::uint32_t> owners_;  // per ray

@@ -48,12 +48,13 @@ Rgb irradiance_of(const LampSample& sample, Vec3 normal) {
 SourceRay ray_to_lamp(const Lamp& lamp, float size, const OffsetPoint& x, Vec3 sample) {
     const bool distant = lamp.shape == LampShape::kDistant;
     const int side = distant ? 1 : candidates_on_a_side(length_squared(lamp.position - x.position), size);
+    const LampSampler sampler(lamp, x.position);
     std::array<LampSample, kMostCandidates> candidates;
     std::array<float, kMostCandidates> weights{};
     Rgb mean(0.0F);
     for (int c = 0; c < side * side; ++c) {
         const Vec2 uv = candidate(sample, c, side);
-        candidates[c] = sample_lamp(lamp, x.position, uv.x, uv.y);
+        candidates[c] = sampler.sample(uv.x, uv.y);
         const Rgb irradiance = irradiance_of(candidates[c], x.normal) / static_cast<float>(side * side);
         weights[c] = luminance(irradiance);
         mean += irradiance;

@@ -72,36 +72,25 @@ LampSample sample_sphere(const Lamp& lamp, Vec3 x, float u, float v) {
     return sample;
 }
 
-// By solid angle, so that no sample outweighs the others. False where a rectangle is so far that its area does as well,
-// x lies in its plane, or it is sheared.
-bool sample_rectangle(const Lamp& lamp, Vec3 x, float u, float v, LampSample& sample) {
+// Whether it is sampled by solid angle, so that no sample outweighs the others. Not where a rectangle is so far that
+// its area does as well, x lies in its plane, or it is sheared.
+bool goes_by_solid_angle(const Lamp& lamp, Vec3 x) {
     constexpr float kFar = 50;  // in half diagonals
     const Vec3 to = lamp.position - x;
     const float size = length_squared(lamp.half_x) + length_squared(lamp.half_y);
     const bool sheared = std::abs(dot(lamp.half_x, lamp.half_y)) > 1e-5F * size;
-    if (sheared || length_squared(to) > kFar * kFar * size || !(-dot(to, lamp.direction) > 1e-6F * std::sqrt(size))) {
-        return false;
-    }
-    const SphericalRectangle seen(lamp.position, lamp.half_x, lamp.half_y, x);
-    const Vec3 to_sample = seen.point(u, v);
-    sample.point = x + to_sample;
-    sample.distance = length(to_sample);
-    sample.direction = to_sample / sample.distance;
-    sample.normal_irradiance = lamp.radiance * seen.solid_angle();
-    return true;
+    return lamp.shape == LampShape::kRectangle && !sheared && length_squared(to) < kFar * kFar * size &&
+           -dot(to, lamp.direction) > 1e-6F * std::sqrt(size);
 }
 
 LampSample sample_flat(const Lamp& lamp, Vec3 x, float u, float v) {
-    LampSample sample;
-    if (lamp.shape == LampShape::kRectangle && sample_rectangle(lamp, x, u, v, sample)) {
-        return sample;
-    }
     Vec2 local{2 * u - 1, 2 * v - 1};
     float area = 4 * length(cross(lamp.half_x, lamp.half_y));
     if (lamp.shape == LampShape::kEllipse) {
         local = square_to_disk(u, v);
         area *= kPi / 4;
     }
+    LampSample sample;
     sample.point = lamp.position + local.x * lamp.half_x + local.y * lamp.half_y;
     const Vec3 to_sample = sample.point - x;
     const float squared = length_squared(to_sample);
@@ -200,16 +189,35 @@ Rgb lamp_irradiance(const Lamp& lamp, Vec3 x, Vec3 n) {
 }
 
 LampSample sample_lamp(const Lamp& lamp, Vec3 x, float u, float v) {
-    switch (lamp.shape) {
+    return LampSampler(lamp, x).sample(u, v);
+}
+
+LampSampler::LampSampler(const Lamp& lamp, Vec3 x) : lamp_(lamp), x_(x) {
+    if (goes_by_solid_angle(lamp, x)) {
+        rectangle_.emplace(lamp.position, lamp.half_x, lamp.half_y, x);
+    }
+}
+
+LampSample LampSampler::sample(float u, float v) const {
+    if (rectangle_) {
+        LampSample sample;
+        const Vec3 to_sample = rectangle_->point(u, v);
+        sample.point = x_ + to_sample;
+        sample.distance = length(to_sample);
+        sample.direction = to_sample / sample.distance;
+        sample.normal_irradiance = lamp_.radiance * rectangle_->solid_angle();
+        return sample;
+    }
+    switch (lamp_.shape) {
         case LampShape::kPoint:
-            return sample_point(lamp, x);
+            return sample_point(lamp_, x_);
         case LampShape::kSphere:
-            return sample_sphere(lamp, x, u, v);
+            return sample_sphere(lamp_, x_, u, v);
         case LampShape::kRectangle:
         case LampShape::kEllipse:
-            return sample_flat(lamp, x, u, v);
+            return sample_flat(lamp_, x_, u, v);
         case LampShape::kDistant:
-            return sample_distant(lamp, x, u, v);
+            return sample_distant(lamp_, x_, u, v);
     }
     return {};
 }

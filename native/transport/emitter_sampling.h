@@ -1,8 +1,11 @@
 // Lamps as senders: their unoccluded irradiance in closed form, and points on them for visibility rays.
 #pragma once
 
+#include <optional>
+
 #include "core/vec.h"
 #include "scene/scene.h"
+#include "transport/spherical_rectangle.h"
 
 namespace gg {
 
@@ -16,12 +19,25 @@ struct LampSample {
 
 // The sample of (u, v) in [0, 1)^2. The mean over uniform (u, v) of normal_irradiance * max(0, n.direction) is the
 // unoccluded irradiance at x with normal n. Spheres are sampled by solid angle over the cap that x sees and distant
-// disks by solid angle, so all of their samples weigh the same (spots aside), and so are rectangles but for those that are
-// sheared or farther than 50 half diagonals; ellipses by area. None
-// has a seam in x: a fixed (u, v) moves continuously with x, except for spheres and receivers exactly above their
-// centre. Zero normal_irradiance: x is behind the lamp or outside the spot (direction and distance still hold), or on
-// the sample itself (direction and distance are zero). A receiver inside a sphere counts as lying on its surface.
+// disks by solid angle, so all of their samples weigh the same (spots aside), and so are rectangles but for those that
+// are sheared or farther than 50 half diagonals; ellipses by area. None has a seam in x: a fixed (u, v) moves
+// continuously with x, except for spheres and receivers exactly above their centre. Zero normal_irradiance: x is behind
+// the lamp or outside the spot (direction and distance still hold), or on the sample itself (direction and distance are
+// zero). A receiver inside a sphere counts as lying on its surface.
 [[nodiscard]] LampSample sample_lamp(const Lamp& lamp, Vec3 x, float u, float v);
+
+// The same for many samples at one receiver. Keeps a reference to the lamp.
+class LampSampler {
+  public:
+    LampSampler(const Lamp& lamp, Vec3 x);
+
+    [[nodiscard]] LampSample sample(float u, float v) const;
+
+  private:
+    const Lamp& lamp_;
+    Vec3 x_;
+    std::optional<SphericalRectangle> rectangle_;
+};
 
 // Irradiance as a vector: `irradiance` [W/m2] falls on a plane at x that faces `direction` (unit, towards the lamp),
 // and max(0, n.direction) of it on any normal above whose horizon the whole lamp lies.
