@@ -18,6 +18,7 @@ constexpr std::uint32_t kFewPairs = 2, kLeastPairs = 4, kMostPairs = 64;
 constexpr std::size_t kMeasured = 16;  // receivers that a sender is measured at, of those that it may light
 constexpr std::size_t kGlanced = 3;    // and at so many first
 constexpr float kPromising = 0.3F;     // share of the tolerance from which a sender is measured in full
+constexpr float kGlaring = 4;         // times the irradiance of the place, of a sender's radiosity
 constexpr float kSettled = 0.1F;       // share of the tolerance from which a sender is looked at closely
 constexpr float kLeastSamples = 1;
 constexpr float kFullReach = 0.7F;    // share of the reach within which everything is near
@@ -132,8 +133,9 @@ void Classifier::add_rays(Candidate& candidate, std::span<const Receiver> receiv
     candidate.ray_count = static_cast<std::uint32_t>(rays_.size()) - candidate.first_ray;
 }
 
-// What interpolation may get wrong [eq. 2 and 3], and whether that is too much for this sender alone. tolerance: W/m2.
-void Classifier::judge(Candidate& candidate, float tolerance) {
+// What interpolation may get wrong [eq. 2 and 3], and whether that is too much for this sender alone. irradiance:
+// of the place; tolerance: W/m2.
+void Classifier::judge(Candidate& candidate, float irradiance, float tolerance) {
     std::uint32_t seen = 0;
     for (std::uint32_t k = candidate.first_ray; k < candidate.first_ray + candidate.ray_count; ++k) {
         seen += blocked_[k] ? 0 : 1;
@@ -158,6 +160,10 @@ void Classifier::judge(Candidate& candidate, float tolerance) {
         (candidate.resample_visibility ? 1 : v) *
         std::max({candidate.spread, candidate.spread_bound, candidate.horizon ? brings : 0.0F});
     candidate.resample_form_factor = candidate.form_factor_error > tolerance;
+    // Rays in all directions would meet it too seldom.
+    if (!lamp && luminance(radiosity_of(solution_, candidate.cut.sender)) > kGlaring * irradiance) {
+        candidate.resample_form_factor = true;
+    }
     // What few rays found visible is not all visible; and what is hidden is not among these senders, to make up for it.
     candidate.resample_visibility = candidate.resample_visibility || (candidate.resample_form_factor && !lamp);
 }
@@ -245,12 +251,13 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
     blocked_.resize(rays_.size());
     tracer_.occluded(rays_, blocked_, RayMask::kLight, Coherence::kIncoherent);
     for (Candidate& candidate : candidates_) {
-        judge(candidate, tolerance);
+        judge(candidate, irradiance, tolerance);
     }
     keep_to_budget(tolerance);
     for (const Candidate& candidate : candidates_) {
         const bool lamp = hierarchy_of(solution_)[candidate.cut.sender].kind == NodeKind::kLamp;
-        if (candidate.resample_form_factor || candidate.resample_visibility) {
+        const bool resampled = candidate.resample_form_factor || candidate.resample_visibility;
+        if (resampled) {
             counts_.both += candidate.resample_form_factor && candidate.resample_visibility;
             counts_.only_visibility += !candidate.resample_form_factor;
             counts_.only_form_factor += !candidate.resample_visibility;
@@ -258,11 +265,11 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
             site.senders.push_back({candidate.cut.sender, candidate.resample_form_factor, candidate.resample_visibility,
                                     std::max(kLeastSamples, samples), candidate.visibility, candidate.irradiance,
                                     candidate.direction});
-            if (!lamp) {
-                site.apart.push_back(order_.range(candidate.cut.sender));
-            }
         } else if (lamp) {
             site.beams.push_back({candidate.direction, candidate.visibility * candidate.irradiance});
+        }
+        if (!lamp && resampled) {
+            site.apart.push_back(order_.range(candidate.cut.sender));
         }
     }
     std::sort(site.senders.begin(), site.senders.end(),

@@ -56,7 +56,7 @@ class Classifier {
     [[nodiscard]] float bound(NodeId sender, const Box& box) const;
     void add_rays(Candidate& candidate, std::span<const Receiver> receivers, std::uint32_t count);
     [[nodiscard]] Reach reach_of(const Box& bounds) const;
-    void judge(Candidate& candidate, float tolerance);
+    void judge(Candidate& candidate, float irradiance, float tolerance);
     void keep_to_budget(float tolerance);
 
     const Solution& solution_;

@@ -25,7 +25,7 @@ struct SiteSender {
     Vec3 direction{0.0F};  // unit, to the sender
 };
 
-// A lamp that needs no closer look: on normal n it brings max(0, n.direction) * irradiance.
+// A sender that needs no closer look: on normal n it brings max(0, n.direction) * irradiance.
 struct Beam {
     Vec3 direction{0.0F};  // unit
     Rgb irradiance{0.0F};  // W/m2
@@ -33,9 +33,9 @@ struct Beam {
 
 struct Site {
     std::vector<SiteSender> senders;  // to be resampled, in ascending order
-    std::vector<RankRange> apart;     // those among them that are surfaces, in ascending order
+    std::vector<RankRange> apart;     // surfaces among senders and beams, in ascending order
     std::vector<SkyLeaf> leaves;      // of the sky, to be resampled, in ascending order
-    std::vector<Beam> beams;          // other lamps
+    std::vector<Beam> beams;          // other senders that count
     DirectionTable table;             // what all other surfaces and the rest of the sky bring
     Reach reach;                      // surfaces closer than that are looked for anew; 0: there are none
 };

@@ -61,7 +61,7 @@ class Surroundings {
     void add_to(DirectionTable& table, std::span<const RankRange> apart, const Reach& reach) const;
 
     // Into kNearRays fixed directions of each table cell, as far as the reach, m; Met::cell: of the table.
-    static constexpr std::uint32_t kNearRays = 2;
+    static constexpr std::uint32_t kNearRays = 1;
     void look_near(Vec3 position, Vec3 normal, float reach);
 
   private:
