@@ -22,7 +22,6 @@ constexpr float kGlaring = 4;         // times the irradiance of the place, of a
 constexpr float kSettled = 0.1F;       // share of the tolerance from which a sender is looked at closely
 constexpr float kLeastSamples = 1;
 constexpr float kFullReach = 0.7F;    // share of the reach within which everything is near
-constexpr float kNearShare = 0.005F;  // of what is around that may be near without being looked at
 
 }  // namespace
 
@@ -186,16 +185,6 @@ void Classifier::keep_to_budget(float tolerance) {
     }
 }
 
-// Nothing is near if next to nothing of what is around is.
-Reach Classifier::reach_of(const Box& bounds) const {
-    const float none = settings_.reach * bounds.diameter();
-    const Reach reach{kFullReach * none, none};
-    const auto near = std::count_if(surroundings_.met().begin(), surroundings_.met().end(),
-                                    [&](const Met& met) { return met.distance < none; });
-    const bool matters = static_cast<float>(near) > kNearShare * static_cast<float>(surroundings_.ray_count());
-    return matters ? reach : Reach{};
-}
-
 Site Classifier::classify(std::span<const Receiver> receivers) {
     Box bounds;
     float irradiance = 0, radiosity = 0, reflectance = 0;
@@ -214,7 +203,8 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
     cutter_.build({places_, bounds, irradiance}, cut_);
     surroundings_.look_from(receivers);
     Site site;
-    site.reach = reach_of(bounds);
+    site.reach = {kFullReach * settings_.reach * bounds.diameter(), settings_.reach * bounds.diameter()};
+    site.near_cells = surroundings_.near_cells(site.reach.none);
     const float threshold = settings_.threshold * std::max(radiosity, settings_.least_radiosity);
     const float tolerance = threshold / std::max(reflectance, 0.02F);
     candidates_.clear();

@@ -55,7 +55,6 @@ class Classifier {
     [[nodiscard]] IrradianceVector vector_at(NodeId sender, Vec3 x) const;
     [[nodiscard]] float bound(NodeId sender, const Box& box) const;
     void add_rays(Candidate& candidate, std::span<const Receiver> receivers, std::uint32_t count);
-    [[nodiscard]] Reach reach_of(const Box& bounds) const;
     void judge(Candidate& candidate, float irradiance, float tolerance);
     void keep_to_budget(float tolerance);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <span>
 
@@ -23,6 +24,8 @@ inline constexpr float kTableSolidAngle = 4 * kPi / kTableCells;  // of a cell, 
             static_cast<std::uint16_t>(index % kTableSide),
             static_cast<std::uint16_t>(index / kTableSide % kTableSide)};
 }
+
+using TableCellSet = std::bitset<kTableCells>;
 
 // Per cell: irradiance of a plane that faces it, W/m2.
 struct DirectionTable {

@@ -1,7 +1,9 @@
 #include "gather/sender_points.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "core/parallel.h"
 #include "core/random.h"
@@ -160,6 +162,24 @@ SenderPoint SenderSampler::point(std::uint32_t index, Vec3 normal) const {
     const Vec3 to = w.x * node_.corner[0] + w.y * node_.corner[1] + w.z * node_.corner[2] - x_;
     const float square = length_squared(to) + 1e-3F * node_.area;
     return {to, false, std::max(0.0F, dot(normal, to)) * std::max(0.0F, -dot(node_.normal, to)) / (square * square)};
+}
+
+std::span<const std::uint32_t> SenderSampler::in_blocks(std::uint32_t count, std::vector<std::uint32_t>& order) const {
+    constexpr std::uint32_t kBlocks = 16;
+    const auto block = [&](std::uint32_t index) {
+        const auto u = static_cast<std::uint32_t>(4 * places_(index, 0)), v = static_cast<std::uint32_t>(4 * places_(index, 1));
+        return (u & 1) | (v & 1) << 1 | (u & 2) << 1 | (v & 2) << 2;
+    };
+    std::array<std::uint32_t, kBlocks + 1> begin{};
+    for (std::uint32_t i = 0; i < count; ++i) {
+        ++begin[block(i) + 1];
+    }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    order.resize(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        order[begin[block(i)]++] = i;
+    }
+    return order;
 }
 
 }  // namespace gg

@@ -52,6 +52,8 @@ class SenderSampler {
 
     // normal: unit, of the receiver.
     [[nodiscard]] SenderPoint point(std::uint32_t index, Vec3 normal) const;
+    // The first `count` indices, those of neighbouring points next to one another.
+    std::span<const std::uint32_t> in_blocks(std::uint32_t count, std::vector<std::uint32_t>& order) const;
 
   private:
     const Node& node_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "gather/sender_light.h"
 #include "trace/surface_point.h"
@@ -12,6 +11,7 @@ namespace gg {
 namespace {
 
 constexpr float kAlmost = 0.9999F;  // of the way to a sender
+constexpr float kShareOfSamples = 0.75F;  // power of a fragment's share by which its samples are fewer
 
 }  // namespace
 
@@ -88,25 +88,26 @@ void Shader::add_rays(const Fragment& at, Vec3 x, Task& task) {
         }
     };
     const float most = is_cluster(node) ? static_cast<float>(kClusterPoints) : 256.0F;
-    const float samples = std::clamp(task.samples, 1.0F, most);
+    // A pixel has about as many for all of its fragments as for one.
+    const float samples = std::clamp(task.samples * std::pow(at.share, kShareOfSamples), 1.0F, most);
     const auto whole = static_cast<std::uint32_t>(samples);
     const float fraction = samples - static_cast<float>(whole);
     const float of_all = (1 - fraction) / static_cast<float>(whole) + fraction / static_cast<float>(whole + 1);
     const float of_last = fraction / static_cast<float>(whole + 1);
-    std::optional<SenderSampler> sampler;
-    if (!is_cluster(node)) {
-        sampler.emplace(solution_, task.sender, x);
-    }
-    for (std::uint32_t i = 0; i < whole + (fraction > 0 ? 1 : 0); ++i) {
-        const float share = i < whole ? of_all : of_last;
-        if (is_cluster(node)) {
+    const std::uint32_t count = whole + (fraction > 0 ? 1 : 0);
+    const auto share = [&](std::uint32_t i) { return i < whole ? of_all : of_last; };
+    if (is_cluster(node)) {
+        for (std::uint32_t i = 0; i < count; ++i) {
             const FacePoint& point = points_.of(task.sender)[i];
             const Vec3 to = point.position - x;
             const Rgb light = irradiance_from(point, 1, to, at.shading_normal, 0.5F * node.area / kClusterPoints);
-            add(to, false, luminance(light), share);
-        } else {
-            const SenderPoint point = sampler->point(i, at.shading_normal);
-            add(point.direction, point.infinite, point.weight, share);
+            add(to, false, luminance(light), share(i));
+        }
+    } else {
+        const SenderSampler sampler(solution_, task.sender, x);
+        for (const std::uint32_t i : sampler.in_blocks(count, order_)) {
+            const SenderPoint point = sampler.point(i, at.shading_normal);
+            add(point.direction, point.infinite, point.weight, share(i));
         }
     }
     task.ray_count = static_cast<std::uint32_t>(rays_.size()) - task.first_ray;
@@ -127,10 +128,10 @@ Rgb Shader::near_light(std::span<const WeightedSite> sites, const TableCosines& 
     for (const Met& met : surroundings_.met()) {
         for (const WeightedSite& weighted : sites) {
             const Site& site = *weighted.site;
-            const float near = site.reach.nearness(met.distance);
+            const float near = site.near_cells[met.cell] ? site.reach.nearness(met.distance) : 0;
             if (near > 0) {
                 const Rgb radiance = holds(site.apart, met.rank) ? Rgb(0.0F) : met.radiance;
-                sum += weighted.weight * near * cosines.of[met.cell] / Surroundings::kNearRays *
+                sum += weighted.weight * near * cosines.of[met.cell] *
                        (kTableSolidAngle * radiance - site.table.at(met.cell));
             }
         }
@@ -177,9 +178,11 @@ Rgb Shader::irradiance(const Fragment& at, std::span<const WeightedSite> sites) 
         }
     }
     float reach = 0;
+    TableCellSet near;
     for (const WeightedSite& weighted : sites) {
         const Site& site = *weighted.site;
         reach = std::max(reach, site.reach.none);
+        near |= site.near_cells;
         Rgb light = light_of(site.beams, at.shading_normal) + light_of(site.table, cosines);
         std::size_t task = 0;
         for (const SiteSender& model : site.senders) {
@@ -193,8 +196,8 @@ Rgb Shader::irradiance(const Fragment& at, std::span<const WeightedSite> sites) 
         }
         sum += weighted.weight * light;
     }
-    if (reach > 0) {
-        surroundings_.look_near(x, at.normal, reach);
+    if (near.any()) {
+        surroundings_.look_near(x, at.normal, near, reach);
         sum += near_light(sites, cosines);
         counts_.near_rays += surroundings_.ray_count();
     }

@@ -60,6 +60,7 @@ class Shader {
     std::vector<SkyTask> sky_tasks_;
     std::vector<Ray> rays_;
     std::vector<float> weights_;
+    std::vector<std::uint32_t> order_;
     std::vector<std::uint8_t> blocked_;
     GatherCounts counts_;
 };

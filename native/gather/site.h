@@ -37,7 +37,8 @@ struct Site {
     std::vector<SkyLeaf> leaves;      // of the sky, to be resampled, in ascending order
     std::vector<Beam> beams;          // other senders that count
     DirectionTable table;             // what all other surfaces and the rest of the sky bring
-    Reach reach;                      // surfaces closer than that are looked for anew; 0: there are none
+    Reach reach;                      // surfaces closer than that are looked for anew
+    TableCellSet near_cells;          // in the directions in which there are any
 };
 
 [[nodiscard]] inline Rgb light_of(std::span<const Beam> beams, Vec3 normal) {

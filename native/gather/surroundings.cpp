@@ -1,6 +1,7 @@
 #include "gather/surroundings.h"
 
 #include <array>
+#include <utility>
 
 #include "core/random.h"
 
@@ -11,19 +12,35 @@ namespace {
 constexpr float kDoubt = 2;  // rays: one that passes by what is near says little of a whole cell
 constexpr std::uint64_t kSiteSeed = 0x73697465, kNearSeed = 0x6e656172;
 
+// Cells of a level so that every aligned run of 4^n is a square.
+std::vector<SkyCell> in_squares(std::uint8_t level) {
+    std::vector<SkyCell> cells;
+    for (const SkyCell root : sky_roots()) {
+        cells.push_back(root);
+    }
+    for (std::uint8_t k = 0; k < level; ++k) {
+        std::vector<SkyCell> finer;
+        for (const SkyCell cell : cells) {
+            const auto parts = children(cell);
+            finer.insert(finer.end(), parts.begin(), parts.end());
+        }
+        cells = std::move(finer);
+    }
+    return cells;
+}
+
 }  // namespace
 
 Surroundings::Surroundings(const Solution& solution, const NodeOrder& order, const RayTracer& tracer)
     : solution_(solution), order_(order), tracer_(tracer) {
     const Sequence4 sites(kSiteSeed), near(kNearSeed);
-    for (std::uint32_t c = 0; c < kSiteCells; ++c) {
-        site_directions_.push_back(cell_direction(site_cell(c), sites(c, 0), sites(c, 1)));
+    for (const SkyCell cell : in_squares(kSiteLevel)) {
+        const std::uint32_t c = site_index(cell);
+        site_directions_.push_back({c, cell_direction(cell, sites(c, 0), sites(c, 1))});
     }
-    for (std::uint32_t c = 0; c < kTableCells; ++c) {
-        for (std::uint32_t k = 0; k < kNearRays; ++k) {
-            const float u = (near(c, 0) + static_cast<float>(k)) / kNearRays;
-            near_directions_.push_back(cell_direction(table_cell(c), u, near(c, 1)));
-        }
+    for (const SkyCell cell : in_squares(kTableLevel)) {
+        const std::uint32_t c = table_index(cell);
+        near_directions_.push_back({c, cell_direction(cell, near(c, 0), near(c, 1))});
     }
 }
 
@@ -48,13 +65,13 @@ void Surroundings::look_from(std::span<const Receiver> receivers) {
     cells_.clear();
     seen_.assign(kSiteCells, Seen::kNothing);
     std::size_t next = 0;
-    for (std::uint32_t c = 0; c < kSiteCells; ++c) {
+    for (const auto& [cell, direction] : site_directions_) {
         for (std::size_t tried = 0; tried < receivers.size(); ++tried) {
             const Receiver& receiver = receivers[next++ % receivers.size()];
-            if (receiver.faces(site_directions_[c])) {
-                rays_.push_back({receiver.position, site_directions_[c], 0, kInfinity});
-                cells_.push_back(c);
-                seen_[c] = Seen::kSky;
+            if (receiver.faces(direction)) {
+                rays_.push_back({receiver.position, direction, 0, kInfinity});
+                cells_.push_back(cell);
+                seen_[cell] = Seen::kSky;
                 break;
             }
         }
@@ -95,13 +112,23 @@ void Surroundings::add_to(DirectionTable& table, std::span<const RankRange> apar
     }
 }
 
-void Surroundings::look_near(Vec3 position, Vec3 normal, float reach) {
+TableCellSet Surroundings::near_cells(float distance) const {
+    TableCellSet cells;
+    for (const Met& met : met_) {
+        if (met.distance < distance) {
+            cells.set(table_index(site_cell(met.cell)));
+        }
+    }
+    return cells;
+}
+
+void Surroundings::look_near(Vec3 position, Vec3 normal, const TableCellSet& cells, float reach) {
     rays_.clear();
     cells_.clear();
-    for (std::uint32_t k = 0; k < near_directions_.size(); ++k) {
-        if (dot(near_directions_[k], normal) > 0) {
-            rays_.push_back({position, near_directions_[k], 0, reach});
-            cells_.push_back(k / kNearRays);
+    for (const auto& [cell, direction] : near_directions_) {
+        if (cells[cell] && dot(direction, normal) > 0) {
+            rays_.push_back({position, direction, 0, reach});
+            cells_.push_back(cell);
         }
     }
     trace();

@@ -60,9 +60,11 @@ class Surroundings {
     // nothing else was met in a cell.
     void add_to(DirectionTable& table, std::span<const RankRange> apart, const Reach& reach) const;
 
-    // Into kNearRays fixed directions of each table cell, as far as the reach, m; Met::cell: of the table.
-    static constexpr std::uint32_t kNearRays = 1;
-    void look_near(Vec3 position, Vec3 normal, float reach);
+    // Table cells in which something was nearer than that, m.
+    [[nodiscard]] TableCellSet near_cells(float distance) const;
+
+    // Into a fixed direction of each of these table cells, as far as the reach, m; Met::cell: of the table.
+    void look_near(Vec3 position, Vec3 normal, const TableCellSet& cells, float reach);
 
   private:
     void trace();
@@ -70,7 +72,12 @@ class Surroundings {
     const Solution& solution_;
     const NodeOrder& order_;
     const RayTracer& tracer_;
-    std::vector<Vec3> site_directions_, near_directions_;  // per cell; per table cell, kNearRays of each
+    struct Direction {
+        std::uint32_t cell = 0;
+        Vec3 direction{0.0F};
+    };
+    // Of the site's and the table's cells, neighbours next to one another: their rays take similar ways.
+    std::vector<Direction> site_directions_, near_directions_;
     std::vector<Ray> rays_;
     std::vector<std::uint32_t> cells_;  // per ray
     std::vector<Hit> hits_;
