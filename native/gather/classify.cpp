@@ -19,6 +19,8 @@ constexpr std::size_t kMeasured = 16;  // receivers that a sender is measured at
 constexpr std::size_t kGlanced = 3;    // and at so many first
 constexpr float kPromising = 0.3F;     // share of the tolerance from which a sender is measured in full
 constexpr float kGlaring = 4;         // times the irradiance of the place, of a sender's radiosity
+constexpr float kDarkest = 0.1F;      // of the mean radiosity: darker places tolerate no less
+constexpr float kFewestSamples = 0.75F, kMostSamples = 4;  // by brightness
 constexpr float kSettled = 0.1F;       // share of the tolerance from which a sender is looked at closely
 constexpr float kLeastSamples = 1;
 constexpr float kFullReach = 0.7F;    // share of the reach within which everything is near
@@ -205,8 +207,10 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
     Site site;
     site.reach = {kFullReach * settings_.reach * bounds.diameter(), settings_.reach * bounds.diameter()};
     site.near_cells = surroundings_.near_cells(site.reach.none);
-    const float threshold = settings_.threshold * std::max(radiosity, settings_.least_radiosity);
+    const float threshold = settings_.threshold * std::max(radiosity, kDarkest * settings_.mean_radiosity);
     const float tolerance = threshold / std::max(reflectance, 0.02F);
+    const float brightness = settings_.mean_radiosity > 0 ? radiosity / settings_.mean_radiosity : 1;
+    const float samples = static_cast<float>(settings_.samples) * std::clamp(std::sqrt(brightness), kFewestSamples, kMostSamples);
     candidates_.clear();
     rays_.clear();
     float all = 0;
@@ -233,7 +237,7 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
         if (is_close(scene, hierarchy_of(solution_)[candidate.cut.sender], bounds)) {
             candidate.spread_bound = std::min(candidate.bound, 4 * candidate.largest);
         }
-        const float wanted = static_cast<float>(settings_.samples) * luminance(candidate.irradiance) / all;
+        const float wanted = samples * luminance(candidate.irradiance) / all;
         add_rays(
             candidate, receivers,
             candidate.matters ? std::clamp(static_cast<std::uint32_t>(wanted), kLeastPairs, kMostPairs) : kFewPairs);
@@ -251,9 +255,9 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
             counts_.both += candidate.resample_form_factor && candidate.resample_visibility;
             counts_.only_visibility += !candidate.resample_form_factor;
             counts_.only_form_factor += !candidate.resample_visibility;
-            const float samples = static_cast<float>(settings_.samples) * luminance(candidate.irradiance) / all;
+            const float share = luminance(candidate.irradiance) / all;
             site.senders.push_back({candidate.cut.sender, candidate.resample_form_factor, candidate.resample_visibility,
-                                    std::max(kLeastSamples, samples), candidate.visibility, candidate.irradiance,
+                                    std::max(kLeastSamples, samples * share), candidate.visibility, candidate.irradiance,
                                     candidate.direction});
         } else if (lamp) {
             site.beams.push_back({candidate.direction, candidate.visibility * candidate.irradiance});

@@ -15,6 +15,18 @@ bool is_same_surface(const Fragment& a, const Fragment& b) {
     return a.hit.instance == b.hit.instance && a.back == b.back && dot(a.normal, b.normal) > kSameSurface;
 }
 
+// The largest difference between a fragment's light and that of its surface in another pixel, as the picture shows it.
+float step_to(const Fragment& fragment, Rgb light, const TileFragments& other, const TileLight& other_light,
+              std::uint32_t pixel) {
+    float largest = 0;
+    for (std::uint32_t g = other.begin_of(pixel); g < other.pixels[pixel].end; ++g) {
+        if (is_same_surface(fragment, other.fragments[g])) {
+            largest = std::max(largest, luminance(fragment.albedo * glm::abs(light - other_light[g])));
+        }
+    }
+    return largest;
+}
+
 }  // namespace
 
 PixelMap::PixelMap(std::span<const TileFragments> tiles) {
@@ -38,35 +50,28 @@ const PixelMap::Pixel* PixelMap::at(std::int64_t x, std::int64_t y) const {
     return &pixels_[static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x)];
 }
 
-std::vector<std::uint32_t> PixelMap::jumps_in(std::size_t tile, std::span<const TileFragments> tiles,
-                                              std::span<const TileLight> light) const {
+std::vector<JumpingFragment> PixelMap::jumps_in(std::size_t tile, std::span<const TileFragments> tiles,
+                                                std::span<const TileLight> light) const {
     const TileFragments& own = tiles[tile];
-    std::vector<std::uint32_t> found;
+    std::vector<JumpingFragment> found;
     for (std::uint32_t p = 0; p < own.pixels.size(); ++p) {
         const std::int64_t x = own.tile.x + p % own.tile.width, y = own.tile.y + p / own.tile.width;
-        float pixel = luminance(own.pixels[p].emitted) * kPi;
-        for (std::uint32_t f = own.begin_of(p); f < own.pixels[p].end; ++f) {
-            pixel += luminance(own.fragments[f].albedo * light[tile][f]);
+        const std::uint32_t begin = own.begin_of(p), end = own.pixels[p].end;
+        float seen = kPi * luminance(own.pixels[p].emitted);
+        for (std::uint32_t f = begin; f < end; ++f) {
+            seen += luminance(own.fragments[f].albedo * light[tile][f]);
         }
-        bool jumps = false;
-        for (const auto& [dx, dy] : {std::array{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
-            const Pixel* neighbour = at(x + dx, y + dy);
-            if (neighbour == nullptr) {
-                continue;
-            }
-            const TileFragments& other = tiles[neighbour->tile];
-            for (std::uint32_t f = own.begin_of(p); f < own.pixels[p].end && !jumps; ++f) {
-                for (std::uint32_t g = other.begin_of(neighbour->index); g < other.pixels[neighbour->index].end; ++g) {
-                    if (is_same_surface(own.fragments[f], other.fragments[g])) {
-                        const float step =
-                            luminance(own.fragments[f].albedo * glm::abs(light[tile][f] - light[neighbour->tile][g]));
-                        jumps = jumps || step > (getenv("GG_J") ? atof(getenv("GG_J")) : kJump) * pixel;
-                    }
+        for (std::uint32_t f = begin; f < end; ++f) {
+            float step = 0;
+            for (const auto& [dx, dy] : {std::array{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+                if (const Pixel* beside = at(x + dx, y + dy)) {
+                    step = std::max(step, step_to(own.fragments[f], light[tile][f], tiles[beside->tile],
+                                                  light[beside->tile], beside->index));
                 }
             }
-        }
-        if (jumps) {
-            found.push_back(p);
+            if (step > kJump * seen) {
+                found.push_back({p, f - begin});
+            }
         }
     }
     return found;

@@ -1,4 +1,4 @@
-// Pixels in which light may change: every sample of theirs needs light of its own.
+// Fragments within which light may change: parts of theirs need light of their own.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,19 @@ namespace gg {
 
 using TileLight = std::vector<Rgb>;  // irradiance of a tile's fragments, W/m2
 
+struct JumpingFragment {
+    std::uint32_t pixel = 0;     // of the tile
+    std::uint32_t fragment = 0;  // of the pixel
+};
+
 // Where the picture's pixels lie.
 class PixelMap {
   public:
     explicit PixelMap(std::span<const TileFragments> tiles);
 
-    // Of tile `tile`, in ascending order: pixels with a fragment whose light differs from that of a neighbour's on the
-    // same surface, so much that it is seen.
-    [[nodiscard]] std::vector<std::uint32_t> jumps_in(std::size_t tile, std::span<const TileFragments> tiles,
+    // Of tile `tile`, in ascending order: fragments whose light differs from that of the same surface in a pixel beside
+    // theirs, so much that it is seen.
+    [[nodiscard]] std::vector<JumpingFragment> jumps_in(std::size_t tile, std::span<const TileFragments> tiles,
                                                       std::span<const TileLight> light) const;
 
   private:

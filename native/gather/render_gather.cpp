@@ -20,7 +20,6 @@ namespace gg {
 namespace {
 
 constexpr int kFullSamples = 256;
-constexpr float kDarkest = 0.1F;       // share of the mean radiosity below which places tolerate no less
 constexpr float kCellsAcross = 17.5F;  // along the short side of a picture
 constexpr std::size_t kSitesAtOnce = 64;
 
@@ -46,18 +45,20 @@ void report(const GatherCounts& total, Statistics& statistics) {
     statistics.set_count("near rays", static_cast<double>(total.near_rays));
 }
 
-// The light of a pixel's fragments as the mean over their parts.
+// The light of a fragment as the mean over its parts, for all of `jumps` that are of its pixel.
 template <typename Light>
-void light_parts(const View& view, const TileFragments& tile, std::uint32_t pixel, const Light& light_at,
-                 TileLight& light) {
-    const std::uint32_t first = tile.begin_of(pixel);
-    std::vector<Rgb> reflected(tile.pixels[pixel].end - first, Rgb(0.0F)), albedo(reflected);
-    for (const FragmentPart& part : divide_pixel(view, tile, pixel)) {
-        reflected[part.fragment] += part.at.albedo * light_at(part.at);
-        albedo[part.fragment] += part.at.albedo;
-    }
-    for (std::size_t k = 0; k < reflected.size(); ++k) {
-        light[first + k] = reflected[k] / glm::max(albedo[k], Rgb(1e-20F));
+void light_parts(const View& view, const TileFragments& tile, std::span<const JumpingFragment> jumps,
+                 const Light& light_at, TileLight& light) {
+    const std::vector<FragmentPart> parts = divide_pixel(view, tile, jumps.front().pixel);
+    for (const JumpingFragment& jump : jumps) {
+        Rgb reflected(0.0F), albedo(0.0F);
+        for (const FragmentPart& part : parts) {
+            if (part.fragment == jump.fragment) {
+                reflected += part.at.albedo * light_at(part.at);
+                albedo += part.at.albedo;
+            }
+        }
+        light[tile.begin_of(jump.pixel) + jump.fragment] = reflected / glm::max(albedo, Rgb(1e-20F));
     }
 }
 
@@ -89,19 +90,23 @@ ViewCounts shade_tiles(const View& view, std::span<const TileFragments> tiles, c
     parallel_for(tiles.size(), 1, control, [&](std::size_t i) {
         auto gatherer = make();
         TileLight own = light[i];
-        for (const std::uint32_t pixel : map.jumps_in(i, tiles, light)) {
+        const std::vector<JumpingFragment> jumps = map.jumps_in(i, tiles, light);
+        for (std::size_t begin = 0, end = 0; begin < jumps.size(); begin = end) {
             control.check_cancel();
-            light_parts(
-                view, tiles[i], pixel, [&](const Fragment& at) { return gatherer.irradiance(at); }, own);
-            ++divided;
+            while (end < jumps.size() && jumps[end].pixel == jumps[begin].pixel) {
+                ++end;
+            }
+            light_parts(view, tiles[i], std::span(jumps).subspan(begin, end - begin),
+                        [&](const Fragment& at) { return gatherer.irradiance(at); }, own);
         }
+        divided += jumps.size();
         std::vector<Rgba> pixels(tiles[i].pixels.size());
         dropped += resolve_tile(view, tiles[i], own, pixels);
         film.finish_tile(static_cast<std::uint32_t>(i), pixels);
         step(gatherer);
     });
     report(total, statistics);
-    statistics.set_count("pixels divided", static_cast<double>(divided));
+    statistics.set_count("fragments divided", static_cast<double>(divided));
     const std::uint64_t pixels = std::uint64_t{view.settings.crop.width} * view.settings.crop.height;
     return {pixels * view.settings.samples, dropped};
 }
@@ -157,17 +162,13 @@ ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t
     const ClusterPoints points(solution, control);
     const NodeOrder order(hierarchy_of(solution));
     GridSettings cells;
-    cells.cell = static_cast<float>(std::min(width, height)) / (getenv("GG_C") ? atof(getenv("GG_C")) : kCellsAcross);
+    cells.cell = static_cast<float>(std::min(width, height)) / kCellsAcross;
     const PerspectiveGrid grid = fit_grid(view, static_cast<float>(width), static_cast<float>(height), tiles, cells);
     const GridReceivers receivers(solution, grid, tiles, control);
     {
         const StageTimer timer(statistics, "classification");
         ClassifySettings settings;
-        if (getenv("GG_T")) settings.threshold = atof(getenv("GG_T"));
-        if (getenv("GG_R")) settings.reach = atof(getenv("GG_R"));
-        if (getenv("GG_S")) settings.sky_leaf = atof(getenv("GG_S"));
-        if (getenv("GG_N")) settings.samples = atoi(getenv("GG_N"));
-        settings.least_radiosity = kDarkest * receivers.mean_radiosity();
+        settings.mean_radiosity = receivers.mean_radiosity();
         sites.resize(receivers.site_count());
         std::mutex mutex;
         GatherCounts total;
