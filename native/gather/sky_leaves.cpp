@@ -9,7 +9,7 @@ namespace gg {
 namespace {
 
 constexpr std::uint32_t kFirstRays = 2, kLeafRays = 4;
-constexpr float kMostLeaves = 128;  // in what is seen of the sky
+constexpr std::size_t kMostLeaves = 512;
 constexpr std::uint8_t kFinest = 9;
 constexpr std::uint64_t kLookSeed = 0x736b7931, kLeafSeed = 0x736b7932;
 
@@ -74,21 +74,17 @@ void SkyLeaves::find(std::span<const Receiver> receivers, const Surroundings& ar
     }
     look_into(cells_, kFirstRays, receivers);
     states_.assign(kSiteCells, State::kUnknown);
-    float seen_angle = 0;  // sr
     for (std::uint32_t c = 0; c < kSiteCells; ++c) {
         const Seen seen = around.seen()[c];
         Look look = looks_[c];
         look.rays += seen != Seen::kNothing ? 1 : 0;
         look.misses += seen == Seen::kSky ? 1 : 0;
         states_[c] = state_of(look);
-        if (look.rays > 0) {
-            seen_angle += static_cast<float>(look.misses) / static_cast<float>(look.rays) * cell_solid_angle(cells_[c]);
-        }
     }
     settle(kSiteLevel, table);
-    const float most = std::max(size, seen_angle / kMostLeaves);
     std::uint8_t level = kSiteLevel;
-    while (!finer_.empty() && cell_solid_angle(finer_.front()) > most && level < kFinest) {
+    while (!finer_.empty() && cell_solid_angle(finer_.front()) > size && finer_.size() <= kMostLeaves / 4 &&
+           level < kFinest) {
         ++level;
         cells_.clear();
         for (const SkyCell cell : finer_) {
