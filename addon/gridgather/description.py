@@ -119,7 +119,7 @@ class Settings:
     width: int
     height: int
     crop: tuple[int, int, int, int]  # x, y, width, height from the lower left
-    method: int = METHOD_SOLUTION
+    method: int = METHOD_GATHER
     quality: float = 0.02
     samples: int = 16
     filter_width: float = 1.5

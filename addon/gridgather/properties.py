@@ -32,7 +32,7 @@ class GridgatherSettings(bpy.types.PropertyGroup):
             ("SOLUTION", "Radiosity Solution", "Show the interpolated radiosity solution"),
             ("FULL", "Full Gather", "Work out all light anew at every point: slow, for comparisons"),
         ),
-        default="SOLUTION",
+        default="GATHER",
         description="How the picture is made from the radiosity solution",
     )
     quality: FloatProperty(

@@ -24,11 +24,11 @@ struct Fragment {
 };
 
 struct PixelFragments {
-    std::uint32_t end = 0;      // of the pixel's in TileFragments::fragments; they begin where those of the last one end
+    std::uint32_t end = 0;  // of the pixel's in TileFragments::fragments; they begin where those of the last one end
     std::uint32_t samples = 0;  // coverage samples: more than the settings say where bright things end
-    Rgb emitted{0.0F};      // mean over samples of radiance that needs no light: emission, the world
-    float alpha = 0;        // 0..1
-    float kept = 0;         // share of the samples that are finite; a pixel is the mean of these
+    Rgb emitted{0.0F};          // mean over samples of radiance that needs no light: emission, the world
+    float alpha = 0;            // 0..1
+    float kept = 0;             // share of the samples that are finite; a pixel is the mean of these
 };
 
 struct TileFragments {

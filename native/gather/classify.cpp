@@ -18,12 +18,12 @@ constexpr std::uint32_t kFewPairs = 2, kLeastPairs = 4, kMostPairs = 64;
 constexpr std::size_t kMeasured = 16;  // receivers that a sender is measured at, of those that it may light
 constexpr std::size_t kGlanced = 3;    // and at so many first
 constexpr float kPromising = 0.3F;     // share of the tolerance from which a sender is measured in full
-constexpr float kGlaring = 4;         // times the irradiance of the place, of a sender's radiosity
-constexpr float kDarkest = 0.1F;      // of the mean radiosity: darker places tolerate no less
+constexpr float kGlaring = 4;          // times the irradiance of the place, of a sender's radiosity
+constexpr float kDarkest = 0.1F;       // of the mean radiosity: darker places tolerate no less
 constexpr float kFewestSamples = 0.75F, kMostSamples = 4;  // by brightness
-constexpr float kSettled = 0.1F;       // share of the tolerance from which a sender is looked at closely
+constexpr float kSettled = 0.1F;  // share of the tolerance from which a sender is looked at closely
 constexpr float kLeastSamples = 1;
-constexpr float kFullReach = 0.7F;    // share of the reach within which everything is near
+constexpr float kFullReach = 0.7F;  // share of the reach within which everything is near
 
 }  // namespace
 
@@ -210,7 +210,8 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
     const float threshold = settings_.threshold * std::max(radiosity, kDarkest * settings_.mean_radiosity);
     const float tolerance = threshold / std::max(reflectance, 0.02F);
     const float brightness = settings_.mean_radiosity > 0 ? radiosity / settings_.mean_radiosity : 1;
-    const float samples = static_cast<float>(settings_.samples) * std::clamp(std::sqrt(brightness), kFewestSamples, kMostSamples);
+    const float samples =
+        static_cast<float>(settings_.samples) * std::clamp(std::sqrt(brightness), kFewestSamples, kMostSamples);
     candidates_.clear();
     rays_.clear();
     float all = 0;
@@ -255,10 +256,10 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
             counts_.both += candidate.resample_form_factor && candidate.resample_visibility;
             counts_.only_visibility += !candidate.resample_form_factor;
             counts_.only_form_factor += !candidate.resample_visibility;
-            const float share = luminance(candidate.irradiance) / all;
+            const float importance = luminance(candidate.irradiance) / all;  // [eq. 1]
             site.senders.push_back({candidate.cut.sender, candidate.resample_form_factor, candidate.resample_visibility,
-                                    std::max(kLeastSamples, samples * share), candidate.visibility, candidate.irradiance,
-                                    candidate.direction});
+                                    std::max(kLeastSamples, samples * importance), candidate.visibility,
+                                    candidate.irradiance, candidate.direction});
         } else if (lamp) {
             site.beams.push_back({candidate.direction, candidate.visibility * candidate.irradiance});
         }

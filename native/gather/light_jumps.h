@@ -24,7 +24,7 @@ class PixelMap {
     // Of tile `tile`, in ascending order: fragments whose light differs from that of the same surface in a pixel beside
     // theirs, so much that it is seen.
     [[nodiscard]] std::vector<JumpingFragment> jumps_in(std::size_t tile, std::span<const TileFragments> tiles,
-                                                      std::span<const TileLight> light) const;
+                                                        std::span<const TileLight> light) const;
 
   private:
     struct Pixel {

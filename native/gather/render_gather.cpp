@@ -96,8 +96,9 @@ ViewCounts shade_tiles(const View& view, std::span<const TileFragments> tiles, c
             while (end < jumps.size() && jumps[end].pixel == jumps[begin].pixel) {
                 ++end;
             }
-            light_parts(view, tiles[i], std::span(jumps).subspan(begin, end - begin),
-                        [&](const Fragment& at) { return gatherer.irradiance(at); }, own);
+            light_parts(
+                view, tiles[i], std::span(jumps).subspan(begin, end - begin),
+                [&](const Fragment& at) { return gatherer.irradiance(at); }, own);
         }
         divided += jumps.size();
         std::vector<Rgba> pixels(tiles[i].pixels.size());

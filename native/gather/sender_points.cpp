@@ -167,7 +167,8 @@ SenderPoint SenderSampler::point(std::uint32_t index, Vec3 normal) const {
 std::span<const std::uint32_t> SenderSampler::in_blocks(std::uint32_t count, std::vector<std::uint32_t>& order) const {
     constexpr std::uint32_t kBlocks = 16;
     const auto block = [&](std::uint32_t index) {
-        const auto u = static_cast<std::uint32_t>(4 * places_(index, 0)), v = static_cast<std::uint32_t>(4 * places_(index, 1));
+        const auto u = static_cast<std::uint32_t>(4 * places_(index, 0)),
+                   v = static_cast<std::uint32_t>(4 * places_(index, 1));
         return (u & 1) | (v & 1) << 1 | (u & 2) << 1 | (v & 2) << 2;
     };
     std::array<std::uint32_t, kBlocks + 1> begin{};

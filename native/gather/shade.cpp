@@ -10,7 +10,7 @@ namespace gg {
 
 namespace {
 
-constexpr float kAlmost = 0.9999F;  // of the way to a sender
+constexpr float kAlmost = 0.9999F;        // of the way to a sender
 constexpr float kShareOfSamples = 0.75F;  // power of a fragment's share by which its samples are fewer
 
 }  // namespace

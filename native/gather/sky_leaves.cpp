@@ -9,7 +9,7 @@ namespace gg {
 namespace {
 
 constexpr std::uint32_t kFirstRays = 2, kLeafRays = 4;
-constexpr std::size_t kMostLeaves = 512;
+constexpr std::size_t kMostLeaves = 1024;
 constexpr std::uint8_t kFinest = 9;
 constexpr std::uint64_t kLookSeed = 0x736b7931, kLeafSeed = 0x736b7932;
 
@@ -123,8 +123,8 @@ void SkyLeaves::settle(std::uint8_t level, DirectionTable& table) {
             continue;
         }
         bool even = states_[c] != State::kMixed;
-        for (int k = 0; k < 9 && even; ++k) {
-            const int i = cell.i + k % 3 - 1, j = cell.j + k / 3 - 1;
+        for (int k = 0; k < 25 && even; ++k) {
+            const int i = cell.i + k % 5 - 2, j = cell.j + k / 5 - 2;
             const bool inside = i >= 0 && j >= 0 && i < side && j < side;
             const std::uint32_t other = inside ? places_[place(cell.face, i, j)] : kNone;
             even = other == kNone || states_[other] == State::kUnknown || states_[other] == states_[c];

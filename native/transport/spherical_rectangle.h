@@ -17,9 +17,9 @@ class SphericalRectangle {
 
   private:
     Vec3 axis_x_, axis_y_, axis_z_;  // unit; z from the rectangle to x's side
-    float x0_, x1_, y0_, y1_, z_;   // the rectangle in these axes, seen from x; z < 0
-    float below_, above_;           // z of the unit normals of the planes through x and these sides
-    float offset_;                  // 2 pi less the angles at the left side
+    float x0_, x1_, y0_, y1_, z_;    // the rectangle in these axes, seen from x; z < 0
+    float below_, above_;            // z of the unit normals of the planes through x and these sides
+    float offset_;                   // 2 pi less the angles at the left side
     float solid_angle_;
 };
 

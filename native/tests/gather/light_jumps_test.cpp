@@ -1,0 +1,74 @@
+#include "gather/light_jumps.h"
+
+#include <gtest/gtest.h>
+
+namespace gg::test {
+namespace {
+
+// Two tiles of one row each; every pixel has one fragment of a grey surface.
+struct Row {
+    std::vector<TileFragments> tiles = std::vector<TileFragments>(2);
+    std::vector<TileLight> light = std::vector<TileLight>(2);
+
+    explicit Row(const std::vector<float>& irradiance) {
+        const auto half = static_cast<std::uint32_t>(irradiance.size() / 2);
+        for (std::uint32_t t = 0; t < 2; ++t) {
+            tiles[t].tile = {t * half, 0, half, 1};
+            for (std::uint32_t p = 0; p < half; ++p) {
+                Fragment fragment;
+                fragment.hit.instance = 3;
+                fragment.normal = {0, 0, 1};
+                fragment.share = 1;
+                fragment.albedo = Rgb(0.5F);
+                tiles[t].fragments.push_back(fragment);
+                tiles[t].pixels.push_back({p + 1, 16, Rgb(0.0F), 1, 1});
+                light[t].push_back(Rgb(irradiance[t * half + p]));
+            }
+        }
+    }
+
+    [[nodiscard]] std::vector<std::uint32_t> found() const {
+        const PixelMap map(tiles);
+        std::vector<std::uint32_t> places;
+        for (std::size_t t = 0; t < 2; ++t) {
+            for (const JumpingFragment& jump : map.jumps_in(t, tiles, light)) {
+                EXPECT_EQ(jump.fragment, 0U);
+                places.push_back(tiles[t].tile.x + jump.pixel);
+            }
+        }
+        return places;
+    }
+};
+
+TEST(LightJumps, a_step_is_found_on_both_sides_and_across_tiles) {
+    EXPECT_EQ(Row({1, 1, 2, 2, 2, 2}).found(), (std::vector<std::uint32_t>{1, 2}));
+    EXPECT_EQ(Row({1, 1, 1, 2, 2, 2}).found(), (std::vector<std::uint32_t>{2, 3}));
+}
+
+TEST(LightJumps, a_gentle_slope_is_none) {
+    EXPECT_TRUE(Row({1, 1.05F, 1.1F, 1.15F, 1.2F, 1.25F}).found().empty());
+}
+
+TEST(LightJumps, other_surfaces_do_not_count) {
+    Row row({1, 1, 1, 2, 2, 2});
+    for (Fragment& fragment : row.tiles[1].fragments) {
+        fragment.hit.instance = 4;
+    }
+    EXPECT_TRUE(row.found().empty());
+    Row turned({1, 1, 1, 2, 2, 2});
+    for (Fragment& fragment : turned.tiles[1].fragments) {
+        fragment.normal = {1, 0, 0};
+    }
+    EXPECT_TRUE(turned.found().empty());
+}
+
+// What shines by itself outshines the step.
+TEST(LightJumps, only_what_the_picture_shows_counts) {
+    Row row({1, 1, 1, 2, 2, 2});
+    row.tiles[0].pixels[2].emitted = Rgb(20);
+    row.tiles[1].pixels[0].emitted = Rgb(20);
+    EXPECT_TRUE(row.found().empty());
+}
+
+}  // namespace
+}  // namespace gg::test
