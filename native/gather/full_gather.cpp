@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "gather/sender_light.h"
 #include "trace/surface_point.h"
@@ -11,18 +12,22 @@ namespace gg {
 namespace {
 
 constexpr float kAlmost = 0.9999F;       // of the way to a sender
-constexpr float kInsignificant = 1e-3F;  // share of all unoccluded light; from there on what links know is enough
+constexpr float kInsignificant = 1e-3F;  // share of all unoccluded light; less is found by rays in all directions
+constexpr float kLeaf = 0.005F;          // irradiance of a part of the sky that has one ray, as a share of all
 constexpr std::uint32_t kLeastRays = 4, kMostRays = 256;
 
 }  // namespace
 
-FullGather::FullGather(const Solution& solution, const ClusterPoints& points, const RayTracer& tracer, int samples)
+FullGather::FullGather(const Solution& solution, const NodeOrder& order, const ClusterPoints& points,
+                       const RayTracer& tracer, int samples)
     : solution_(solution),
+      order_(order),
       points_(points),
       tracer_(tracer),
       samples_(samples),
       cutter_(solution),
-      near_(solution, tracer) {}
+      surroundings_(solution, order, tracer),
+      sky_(tracer, hierarchy_of(solution).scene().world) {}
 
 // Rays from x to the sender's points.
 void FullGather::add_rays(const Fragment& at, Task& task, std::uint32_t count) {
@@ -68,6 +73,9 @@ void FullGather::plan(const Fragment& at) {
     for (std::size_t i = 0; i < cut_.senders.size(); ++i) {
         const NodeId sender = cut_.senders[i].sender;
         Task task{i, Rgb(0.0F), 0, 0};
+        if (hierarchy[sender].kind == NodeKind::kSky) {
+            continue;
+        }
         if (is_cluster(hierarchy[sender])) {
             const auto points = points_.of(sender);
             for (const FacePoint& point : points) {
@@ -82,38 +90,28 @@ void FullGather::plan(const Fragment& at) {
             tasks_.push_back(task);
         }
     }
+    std::erase_if(tasks_, [&](const Task& task) {
+        const bool lamp = hierarchy[cut_.senders[task.sender].sender].kind == NodeKind::kLamp;
+        return !lamp && luminance(task.light) <= kInsignificant * all;
+    });
+    apart_.clear();
     for (Task& task : tasks_) {
+        const NodeId sender = cut_.senders[task.sender].sender;
         const float share = luminance(task.light) / all;
-        if (share > kInsignificant) {
-            const auto count = static_cast<std::uint32_t>(std::lround(static_cast<float>(samples_) * share));
-            add_rays(at, task, std::clamp(count, kLeastRays, kMostRays));
+        const auto count = static_cast<std::uint32_t>(std::lround(static_cast<float>(samples_) * share));
+        add_rays(at, task, std::clamp(count, kLeastRays, kMostRays));
+        if (hierarchy[sender].kind != NodeKind::kLamp) {
+            apart_.push_back(order_.range(sender));
         }
     }
+    std::sort(apart_.begin(), apart_.end());
 }
 
-Rgb FullGather::irradiance(const Fragment& at, float expected) {
-    const NodeId place = place_at(solution_, at.hit.instance, at.hit.triangle, at.back, at.position);
-    if (place == kNone) {
-        return Rgb(0.0F);
-    }
-    Box bounds;
-    bounds.extend(at.position);
-    cutter_.build({std::span(&place, 1), bounds, expected}, cut_);
-    plan(at);
-    blocked_.resize(rays_.size());
-    tracer_.occluded(rays_, blocked_, RayMask::kLight, Coherence::kCoherent);
+// Of what is looked at one by one.
+Rgb FullGather::light_of_tasks() const {
     Rgb sum(0.0F);
-    const NearOrigin origin{offset_origin(at.position, at.normal, 1), at.normal};
-    if (!cut_.near.empty()) {
-        near_.for_each_hit(cut_.near, std::span(&origin, 1), [&](Vec3 direction, Rgb irradiance) {
-            sum += std::max(0.0F, dot(at.shading_normal, direction)) * irradiance;
-        });
-    }
     for (const Task& task : tasks_) {
-        const CutSender& sender = cut_.senders[task.sender];
-        if (task.ray_count == 0) {
-            sum += sender.visibility * task.light;
-        } else if (is_cluster(hierarchy_of(solution_)[sender.sender])) {
+        if (is_cluster(hierarchy_of(solution_)[cut_.senders[task.sender].sender])) {
             for (std::uint32_t k = task.first_ray; k < task.first_ray + task.ray_count; ++k) {
                 sum += blocked_[k] ? Rgb(0.0F) : ray_light_[k];
             }
@@ -126,10 +124,47 @@ Rgb FullGather::irradiance(const Fragment& at, float expected) {
             sum += seen / std::max(sent, 1e-30F) * task.light;
         }
     }
+    return sum;
+}
+
+// Of all other surfaces, and of the sky.
+Rgb FullGather::light_from_all_around(const Fragment& at, Vec3 x) {
+    const Receiver receiver{x, at.normal, at.shading_normal, kNone, 0, 0};
+    surroundings_.look_from(std::span(&receiver, 1));
+    DirectionTable table;
+    surroundings_.add_to(table, apart_, {});
+    const Rgb world = hierarchy_of(solution_).scene().world;
+    const TableCosines cosines(at.shading_normal);
+    const float size = kLeaf * expected_ / std::max(luminance(world), 1e-20F);
+    sky_.find(std::span(&receiver, 1), surroundings_, size, leaves_, table);
+    Rgb sum = light_of(table, cosines);
+    for (const SkyLeaf& leaf : leaves_) {
+        if (receiver.faces(leaf.direction) && !tracer_.occluded({x, leaf.direction, 0, kInfinity}, RayMask::kLight)) {
+            sum += leaf.solid_angle * dot(leaf.direction, at.shading_normal) * world;
+        }
+    }
+    return sum;
+}
+
+Rgb FullGather::irradiance(const Fragment& at, float expected) {
+    const NodeId place = place_at(solution_, at.hit.instance, at.hit.triangle, at.back, at.position);
+    if (place == kNone) {
+        return Rgb(0.0F);
+    }
+    Box bounds;
+    bounds.extend(at.position);
+    expected_ = expected;
+    cutter_.build({std::span(&place, 1), bounds, expected}, cut_);
+    plan(at);
+    blocked_.resize(rays_.size());
+    tracer_.occluded(rays_, blocked_, RayMask::kLight, Coherence::kCoherent);
+    const std::size_t sky_rays = sky_.ray_count();
+    const Rgb sum = light_of_tasks() + light_from_all_around(at, offset_origin(at.position, at.normal, 1));
     counts_.points += 1;
     counts_.senders += tasks_.size();
-    counts_.visibility_rays += rays_.size();
-    counts_.near_rays += cut_.near.empty() ? 0 : kNearDirections;
+    counts_.form_factors += tasks_.size();
+    counts_.visibility_rays += rays_.size() + leaves_.size() + sky_.ray_count() - sky_rays;
+    counts_.near_rays += surroundings_.ray_count();
     return sum;
 }
 

@@ -6,9 +6,11 @@
 
 #include "film/fragments.h"
 #include "gather/gather_counts.h"
-#include "gather/near_light.h"
+#include "gather/node_order.h"
 #include "gather/sender_cut.h"
 #include "gather/sender_points.h"
+#include "gather/sky_leaves.h"
+#include "gather/surroundings.h"
 
 namespace gg {
 
@@ -16,7 +18,8 @@ namespace gg {
 class FullGather {
   public:
     // samples: visibility rays from a point, about.
-    FullGather(const Solution& solution, const ClusterPoints& points, const RayTracer& tracer, int samples);
+    FullGather(const Solution& solution, const NodeOrder& order, const ClusterPoints& points, const RayTracer& tracer,
+               int samples);
 
     // Irradiance, W/m2. `expected` [W/m2]: about as much, luminance.
     [[nodiscard]] Rgb irradiance(const Fragment& at, float expected);
@@ -31,20 +34,27 @@ class FullGather {
     };
 
     void plan(const Fragment& at);
+    [[nodiscard]] Rgb light_of_tasks() const;
+    [[nodiscard]] Rgb light_from_all_around(const Fragment& at, Vec3 x);
     void add_rays(const Fragment& at, Task& task, std::uint32_t count);
 
     const Solution& solution_;
+    const NodeOrder& order_;
     const ClusterPoints& points_;
     const RayTracer& tracer_;
     int samples_;
+    float expected_ = 0;  // irradiance at the point, about, luminance, W/m2
     CutBuilder cutter_;
-    NearLight near_;
+    Surroundings surroundings_;
+    SkyLeaves sky_;
     SenderCut cut_;
     std::vector<Task> tasks_;
     std::vector<Ray> rays_;
     std::vector<float> weights_;  // per ray
     std::vector<Rgb> ray_light_;  // per ray of clusters
     std::vector<std::uint8_t> blocked_;
+    std::vector<RankRange> apart_;  // surfaces among the tasks
+    std::vector<SkyLeaf> leaves_;
     GatherCounts counts_;
 };
 

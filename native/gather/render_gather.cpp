@@ -152,7 +152,8 @@ ViewCounts full_gather(const Solution& solution, const View& view, Film& film, C
                        Statistics& statistics) {
     const std::vector<TileFragments> tiles = trace_tiles(view, film, control, statistics);
     const ClusterPoints points(solution, control);
-    const auto make = [&] { return FullGatherer{solution, {solution, points, view.tracer, kFullSamples}}; };
+    const NodeOrder order(hierarchy_of(solution));
+    const auto make = [&] { return FullGatherer{solution, {solution, order, points, view.tracer, kFullSamples}}; };
     return shade_tiles(view, tiles, make, film, control, statistics);
 }
 

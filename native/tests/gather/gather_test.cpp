@@ -44,7 +44,7 @@ struct Gathered {
 
     explicit Gathered(const SceneDescription& description) : prepared(description) {}
 
-    FullGather full() { return {*solution, points, *prepared.tracer, 256}; }
+    FullGather full() { return {*solution, order, points, *prepared.tracer, 256}; }
     Classifier classifier(float threshold) { return {*solution, order, points, *prepared.tracer, {256, threshold, 0}}; }
     Shader shader() { return {*solution, order, points, *prepared.tracer}; }
 };
