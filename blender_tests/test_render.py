@@ -67,8 +67,10 @@ def test_statistics_are_in_the_metadata_of_the_file(lit):
     assert lit.gridgather_statistics.encode() in content
 
 
+@pytest.mark.parametrize("method, tolerance", [("SOLUTION", 0), ("GATHER", 0.02)])  # sites know what is seen alone
 @pytest.mark.parametrize("crop", [False, True])
-def test_border_is_part_of_the_whole_picture(lit, crop):
+def test_border_is_part_of_the_whole_picture(lit, crop, method, tolerance):
+    lit.gridgather.method = method
     lit.world = bpy.data.worlds.new("World")
     link(quad("Small", size=2), location=(1, 1, 2))
     whole = render_pixels(lit, "GRIDGATHER")
@@ -82,7 +84,7 @@ def test_border_is_part_of_the_whole_picture(lit, crop):
         outside[inside] = 0
         assert not outside.any()
         part = part[inside]
-    assert np.array_equal(part, whole[inside])
+    assert np.abs(part - whole[inside]).max() <= tolerance * whole[inside].mean()
 
 
 def test_every_view_of_a_stereo_picture_is_filled(lit, tmp_path):

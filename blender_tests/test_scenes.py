@@ -69,8 +69,7 @@ def test_gathers_are_as_bright_as_the_solution(method):
 
 
 def test_the_default_is_the_gather_and_counts_what_it_does():
-    bpy.ops.wm.read_factory_settings()
-    assert bpy.context.scene.gridgather.method == "GATHER"
+    assert bpy.data.scenes.new("untouched").gridgather.method == "GATHER"
     _, statistics = rendered("cornell_box", "FINAL")
     counts = statistics["counts"]
     assert 10 < counts["sites"] < counts["grid vertices"]

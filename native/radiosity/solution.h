@@ -40,7 +40,7 @@ struct Solution;  // radiosity/solution_data.h; immutable, may be read by many t
 // Where a ray met a face.
 struct LitPlace {
     NodeId place = kNone;  // undivided element or leaf cluster; kNone: no light reaches it
-    Rgb radiosity{0.0F};   // there, W/m2: over an element it changes as between its corners, over a cluster face by face
+    Rgb radiosity{0.0F};  // there, W/m2: over an element it changes as between its corners, over a cluster face by face
 };
 [[nodiscard]] LitPlace lit_place(const Solution& solution, const Hit& hit, bool back);
 

@@ -9,6 +9,7 @@
 #include "core/random.h"
 #include "gather/sky_leaves.h"
 #include "support/law_scenes.h"
+#include "trace/surface_point.h"
 #include "transport/sky_cell.h"
 
 namespace gg::test {
@@ -107,6 +108,28 @@ TEST(Reach, falls_from_near_to_far) {
     EXPECT_EQ(reach.nearness(1.5F), 0.5F);
     EXPECT_EQ(reach.nearness(2), 0);
     EXPECT_EQ(Reach{}.nearness(0), 0);
+}
+
+// Over a triangle: the same places as by position, and the means of its elements.
+TEST(LitPlace, radiosity_over_an_element_has_its_mean) {
+    Prepared prepared(lamp_room(0.5F));
+    const auto solution = prepared.solve();
+    const Scene& scene = hierarchy_of(*solution).scene();
+    const Sequence4 sequence(3);
+    for (std::uint32_t wall = 0; wall < 6; ++wall) {
+        double here = 0, elements = 0;
+        constexpr int kPoints = 20000;
+        for (int k = 0; k < kPoints; ++k) {
+            const Vec3 w = square_to_triangle(sequence(k, 0), sequence(k, 1));
+            const Hit hit{wall, 0, w.y, w.z, 1};
+            const LitPlace lit = lit_place(*solution, hit, false);
+            const SurfacePoint point = surface_point(scene, hit);
+            ASSERT_EQ(lit.place, place_at(*solution, wall, 0, false, point.position));
+            here += static_cast<double>(luminance(lit.radiosity)) / kPoints;
+            elements += static_cast<double>(luminance(radiosity_of(*solution, lit.place))) / kPoints;
+        }
+        EXPECT_NEAR(here / elements, 1, 0.01) << wall;
+    }
 }
 
 // What a point has of the sky: settled cells, and leaves that it sees.
