@@ -12,6 +12,8 @@ namespace gg {
 
 namespace {
 
+constexpr float kFar = 4;  // half diagonals of a lamp from which its samples are even by area
+
 // Adds the ray from a receiver's face to a point or direction of the sender, unless they do not face each other.
 void add_pair(const Hierarchy& hierarchy, const FacePoint& x, const Node& sender, Vec3 uvw, int quarter,
               ShadowRays& out) {
@@ -20,7 +22,7 @@ void add_pair(const Hierarchy& hierarchy, const FacePoint& x, const Node& sender
     float sender_weight = 1;
     bool infinite = false;
     if (sender.kind == NodeKind::kLamp) {
-        const LampSample sample = sample_lamp(hierarchy.scene().lamps[sender.source], x.position, v, w);
+        const LampSample sample = sample_lamp(hierarchy.scene().lamps[sender.source], x.position, v, w, kFar);
         sender_weight = luminance(sample.normal_irradiance);
         infinite = std::isinf(sample.distance);
         target = infinite ? x.position + sample.direction : sample.point;

@@ -48,7 +48,7 @@ Rgb irradiance_of(const LampSample& sample, Vec3 normal) {
 SourceRay ray_to_lamp(const Lamp& lamp, float size, const OffsetPoint& x, Vec3 sample) {
     const bool distant = lamp.shape == LampShape::kDistant;
     const int side = distant ? 1 : candidates_on_a_side(length_squared(lamp.position - x.position), size);
-    const LampSampler sampler(lamp, x.position);
+    const LampSampler sampler(lamp, x.position, kFar);
     std::array<LampSample, kMostCandidates> candidates;
     std::array<float, kMostCandidates> weights{};
     Rgb mean(0.0F);

@@ -74,12 +74,11 @@ LampSample sample_sphere(const Lamp& lamp, Vec3 x, float u, float v) {
 
 // Whether it is sampled by solid angle, so that no sample outweighs the others. Not where a rectangle is so far that
 // its area does as well, x lies in its plane, or it is sheared.
-bool goes_by_solid_angle(const Lamp& lamp, Vec3 x) {
-    constexpr float kFar = 50;  // in half diagonals
+bool goes_by_solid_angle(const Lamp& lamp, Vec3 x, float far) {
     const Vec3 to = lamp.position - x;
     const float size = length_squared(lamp.half_x) + length_squared(lamp.half_y);
     const bool sheared = std::abs(dot(lamp.half_x, lamp.half_y)) > 1e-5F * size;
-    return lamp.shape == LampShape::kRectangle && !sheared && length_squared(to) < kFar * kFar * size &&
+    return lamp.shape == LampShape::kRectangle && !sheared && length_squared(to) < far * far * size &&
            -dot(to, lamp.direction) > 1e-6F * std::sqrt(size);
 }
 
@@ -188,12 +187,12 @@ Rgb lamp_irradiance(const Lamp& lamp, Vec3 x, Vec3 n) {
     return vector.irradiance * std::max(0.0F, dot(n, vector.direction));
 }
 
-LampSample sample_lamp(const Lamp& lamp, Vec3 x, float u, float v) {
-    return LampSampler(lamp, x).sample(u, v);
+LampSample sample_lamp(const Lamp& lamp, Vec3 x, float u, float v, float far) {
+    return LampSampler(lamp, x, far).sample(u, v);
 }
 
-LampSampler::LampSampler(const Lamp& lamp, Vec3 x) : lamp_(lamp), x_(x) {
-    if (goes_by_solid_angle(lamp, x)) {
+LampSampler::LampSampler(const Lamp& lamp, Vec3 x, float far) : lamp_(lamp), x_(x) {
+    if (goes_by_solid_angle(lamp, x, far)) {
         rectangle_.emplace(lamp.position, lamp.half_x, lamp.half_y, x);
     }
 }

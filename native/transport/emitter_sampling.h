@@ -20,16 +20,17 @@ struct LampSample {
 // The sample of (u, v) in [0, 1)^2. The mean over uniform (u, v) of normal_irradiance * max(0, n.direction) is the
 // unoccluded irradiance at x with normal n. Spheres are sampled by solid angle over the cap that x sees and distant
 // disks by solid angle, so all of their samples weigh the same (spots aside), and so are rectangles but for those that
-// are sheared or farther than 50 half diagonals; ellipses by area. None has a seam in x: a fixed (u, v) moves
+// are sheared or far; ellipses by area. None has a seam in x: a fixed (u, v) moves
 // continuously with x, except for spheres and receivers exactly above their centre. Zero normal_irradiance: x is behind
 // the lamp or outside the spot (direction and distance still hold), or on the sample itself (direction and distance are
 // zero). A receiver inside a sphere counts as lying on its surface.
-[[nodiscard]] LampSample sample_lamp(const Lamp& lamp, Vec3 x, float u, float v);
+// far: half diagonals from which rectangles are sampled by area, which is faster; at 50 nothing shows.
+[[nodiscard]] LampSample sample_lamp(const Lamp& lamp, Vec3 x, float u, float v, float far = 50);
 
 // The same for many samples at one receiver. Keeps a reference to the lamp.
 class LampSampler {
   public:
-    LampSampler(const Lamp& lamp, Vec3 x);
+    LampSampler(const Lamp& lamp, Vec3 x, float far = 50);
 
     [[nodiscard]] LampSample sample(float u, float v) const;
 
