@@ -98,7 +98,7 @@ void Classifier::measure(Candidate& candidate, std::span<const Receiver> receive
 // Luminance of the irradiance that a sender may bring to any point of a box.
 float Classifier::bound(NodeId sender, const Box& box) const {
     const Node& node = hierarchy_of(solution_)[sender];
-    if (node.kind == NodeKind::kLamp || node.kind == NodeKind::kSky) {
+    if (node.kind == NodeKind::kLamp) {
         return kInfinity;
     }
     const float distance = std::max(0.0F, length(node.center - box.center()) - node.radius - 0.5F * box.diameter());

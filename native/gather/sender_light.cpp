@@ -5,24 +5,14 @@
 
 #include "radiosity/quarter.h"
 #include "transport/form_factor.h"
-#include "transport/sky_cell.h"
 
 namespace gg {
 
 namespace {
 
-constexpr int kSkySide = 4;              // directions of a cell along each side
 constexpr float kFar = 5, kNear = 2.5F;  // in radii: an element is even from the first on, linear from the second
 constexpr float kPoint = 6;              // in radii: from there on its vector is that of a point
 constexpr int kLevels = 1;               // of quarters of a linear element
-
-template <typename Body>
-void for_each_direction(const Node& cell, const Body& body) {
-    for (int i = 0; i < kSkySide * kSkySide; ++i) {
-        body(cell_direction(sky_cell_of(cell), (static_cast<float>(i % kSkySide) + 0.5F) / kSkySide,
-                            (static_cast<float>(i / kSkySide) + 0.5F) / kSkySide));
-    }
-}
 
 // Of a triangle whose radiosity is linear, by parts in which it is even.
 Rgb from_part(Vec3 x, Vec3 n, const std::array<Vec3, 3>& corners, const std::array<Rgb, 3>& radiosity, int levels) {
@@ -43,11 +33,6 @@ Rgb unoccluded_irradiance(const Solution& solution, NodeId sender, Vec3 x, Vec3 
     const Node& node = hierarchy_of(solution)[sender];
     if (node.kind == NodeKind::kLamp) {
         return lamp_irradiance(hierarchy_of(solution).scene().lamps[node.source], x, n);
-    }
-    if (node.kind == NodeKind::kSky) {
-        float cosines = 0;
-        for_each_direction(node, [&](Vec3 d) { cosines += std::max(0.0F, dot(d, n)); });
-        return cosines / (kSkySide * kSkySide) * node.area / kPi * radiosity_of(solution, sender);
     }
     if (!(dot(x - node.corner[0], node.normal) > 0)) {
         return Rgb(0.0F);
@@ -72,11 +57,9 @@ IrradianceVector irradiance_vector(const Solution& solution, NodeId sender, Vec3
         return lamp_irradiance_vector(hierarchy_of(solution).scene().lamps[node.source], x);
     }
     Vec3 vector(0.0F);
-    if (node.kind == NodeKind::kSky) {
-        for_each_direction(node, [&](Vec3 d) { vector += d; });
-        vector *= node.area / kPi / (kSkySide * kSkySide);
-    } else if (const Vec3 to = node.center - x; dot(x - node.corner[0], node.normal) > 0) {
+    if (dot(x - node.corner[0], node.normal) > 0) {
         // From afar a triangle is as good as a point.
+        const Vec3 to = node.center - x;
         const float square = length_squared(to);
         vector = square > kPoint * kPoint * node.radius * node.radius
                      ? -dot(to, node.normal) * node.area / (kPi * square * square) * to

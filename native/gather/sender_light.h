@@ -9,7 +9,7 @@
 
 namespace gg {
 
-// Irradiance [W/m2] of an element, a lamp or a sky cell at x on unit normal n, clipped against its horizon.
+// Irradiance [W/m2] of an element or a lamp at x on unit normal n, clipped against its horizon.
 [[nodiscard]] Rgb unoccluded_irradiance(const Solution& solution, NodeId sender, Vec3 x, Vec3 n);
 
 // The same as a vector, for any normal that has all of the sender above its horizon.

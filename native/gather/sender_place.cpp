@@ -11,13 +11,9 @@ bool is_sun(const Scene& scene, const Node& sender) {
     return sender.kind == NodeKind::kLamp && scene.lamps[sender.source].shape == LampShape::kDistant;
 }
 
-// Of the sender's middle above the horizon, in its radii. Of senders at infinity the middle is a direction.
+// Of the sender's middle above the horizon, in its radii. Of the sun the middle is a direction.
 float height(const Scene& scene, const Node& sender, Vec3 position, Vec3 normal) {
     constexpr float kLeast = 1e-6F;
-    if (sender.kind == NodeKind::kSky) {
-        constexpr float kTall = 2.5F;  // cells near the horizon are longer than their radius
-        return dot(sender.center, normal) / (kTall * sender.radius);
-    }
     if (is_sun(scene, sender)) {
         const float cosine = scene.lamps[sender.source].cos_half_angle;
         return dot(sender.center, normal) / std::sqrt(std::max(1 - cosine * cosine, kLeast * kLeast));
@@ -37,7 +33,7 @@ bool crosses_horizon(const Scene& scene, const Node& sender, Vec3 position, Vec3
 
 bool is_close(const Scene& scene, const Node& sender, const Box& receivers) {
     constexpr float kClose = 2;  // times the size of both
-    return sender.kind != NodeKind::kSky && !is_sun(scene, sender) &&
+    return !is_sun(scene, sender) &&
            length(sender.center - receivers.center()) < kClose * (sender.radius + 0.5F * receivers.diameter());
 }
 

@@ -8,7 +8,6 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "transport/emitter_sampling.h"
-#include "transport/sky_cell.h"
 
 namespace gg {
 
@@ -153,10 +152,6 @@ SenderPoint SenderSampler::point(std::uint32_t index, Vec3 normal) const {
         const float weight = luminance(sample.normal_irradiance) * std::max(0.0F, dot(normal, sample.direction));
         const bool infinite = std::isinf(sample.distance);
         return {infinite ? sample.direction : sample.point - x_, infinite, weight};
-    }
-    if (node_.kind == NodeKind::kSky) {
-        const Vec3 direction = cell_direction(sky_cell_of(node_), u, v);
-        return {direction, true, std::max(0.0F, dot(normal, direction))};
     }
     const Vec3 w = square_to_triangle(u, v);
     const Vec3 to = w.x * node_.corner[0] + w.y * node_.corner[1] + w.z * node_.corner[2] - x_;

@@ -38,7 +38,7 @@ class ClusterPoints {
     std::vector<FacePoint> points_;
 };
 
-// Where a ray to sample `index` of an element, lamp or sky cell goes.
+// Where a ray to a point of an element or lamp goes.
 struct SenderPoint {
     Vec3 direction{0.0F};  // to be added to the origin at t = 1, or unit if the sender is infinitely far
     bool infinite = false;
