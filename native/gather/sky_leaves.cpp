@@ -8,9 +8,10 @@ namespace gg {
 
 namespace {
 
-constexpr std::uint32_t kFirstRays = 2, kLeafRays = 4;
-constexpr std::size_t kMostLeaves = 1024;
-constexpr std::uint8_t kFinest = 9;
+constexpr std::uint32_t kFirstRays = 2, kLeafRays = 4;  // into a cell of a site, besides its own; into a leaf
+constexpr std::size_t kMostLeaves = 1024;  // where that many are reached, cells stay larger; 256 are 4 % further off
+constexpr std::uint8_t kFinest = 9;        // level
+constexpr int kAround = 2;                 // cells on each side that have to agree: with 1 small windows lose light
 constexpr std::uint64_t kLookSeed = 0x736b7931, kLeafSeed = 0x736b7932;
 
 std::uint32_t id_of(SkyCell cell) {
@@ -123,8 +124,9 @@ void SkyLeaves::settle(std::uint8_t level, DirectionTable& table) {
             continue;
         }
         bool even = states_[c] != State::kMixed;
-        for (int k = 0; k < 25 && even; ++k) {
-            const int i = cell.i + k % 5 - 2, j = cell.j + k / 5 - 2;
+        constexpr int kRow = 2 * kAround + 1;
+        for (int k = 0; k < kRow * kRow && even; ++k) {
+            const int i = cell.i + k % kRow - kAround, j = cell.j + k / kRow - kAround;
             const bool inside = i >= 0 && j >= 0 && i < side && j < side;
             const std::uint32_t other = inside ? places_[place(cell.face, i, j)] : kNone;
             even = other == kNone || states_[other] == State::kUnknown || states_[other] == states_[c];

@@ -1,4 +1,4 @@
-// What is all around a point or a site, found by rays in fixed directions: all light that no sender is made of.
+// What is all around a point or a site, found by rays in fixed directions: all light that senders apart do not bring.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ inline constexpr std::uint32_t kSiteSide = 1U << kSiteLevel, kSiteCells = 2 * kS
             static_cast<std::uint16_t>(index % kSiteSide), static_cast<std::uint16_t>(index / kSiteSide % kSiteSide)};
 }
 
-// Senders that are resampled and what lies closer than this is not interpolated. [m]
+// Distances [m] up to which surfaces are looked for at every point.
 struct Reach {
     float full = 0, none = 0;  // what is closer than `full` is all near, what is farther than `none` all far
 

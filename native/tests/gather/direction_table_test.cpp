@@ -48,7 +48,7 @@ TEST(DirectionTable, cosines_are_means_over_cells) {
     }
 }
 
-// A sixth of the normals on either side of a cell's horizon: no step where a cell sinks below it.
+// No step where a cell sinks below the horizon of a normal that turns.
 TEST(DirectionTable, cosines_are_continuous_in_the_normal) {
     TableCosines before(Vec3(1, 0, 0));
     constexpr int kSteps = 2000;

@@ -145,21 +145,32 @@ float sky_light(const RayTracer& tracer, const Receiver& at, const std::vector<S
     return light;
 }
 
+// A scene below an even sky of radiance 1.
+struct UnderSky {
+    Prepared prepared;
+    std::shared_ptr<const Solution> solution = prepared.solve();
+    NodeOrder order{hierarchy_of(*solution)};
+    Surroundings around{*solution, order, *prepared.tracer};
+    SkyLeaves sky{*prepared.tracer, Rgb(1)};
+
+    explicit UnderSky(const SceneDescription& description) : prepared(description) {}
+
+    void find(std::span<const Receiver> receivers, float size, std::vector<SkyLeaf>& leaves, DirectionTable& table) {
+        around.look_from(receivers);
+        sky.find(receivers, around, size, leaves, table);
+    }
+};
+
 TEST(SkyLeaves, an_open_sky_is_settled) {
     SceneBuilder builder;
     const std::uint32_t grey = builder.material(Rgb(0.5F));
     builder.quad({-50, -50, 0}, {50, -50, 0}, {50, 50, 0}, {-50, 50, 0}, grey);
     builder.description.world = Rgb(1);
-    Prepared prepared(builder.description);
-    const auto solution = prepared.solve();
-    const NodeOrder order(hierarchy_of(*solution));
-    Surroundings around(*solution, order, *prepared.tracer);
-    SkyLeaves sky(*prepared.tracer, Rgb(1));
+    UnderSky scene(builder.description);
     const Receiver at{{1, 1, 0.001F}, {0, 0, 1}, {0, 0, 1}, kNone, 0.5F, kPi};
-    around.look_from(std::span(&at, 1));
     std::vector<SkyLeaf> leaves;
     DirectionTable table;
-    sky.find(std::span(&at, 1), around, 0.01F, leaves, table);
+    scene.find(std::span(&at, 1), 0.01F, leaves, table);
     EXPECT_TRUE(leaves.empty());
     EXPECT_NEAR(light_of(table, TableCosines(at.normal)).x, kPi, 0.01F * kPi);
 }
@@ -175,20 +186,15 @@ TEST(SkyLeaves, light_through_a_window_agrees_with_random_rays) {
     builder.box({-9, -9, -9}, {9, 2, 9}, {grey, grey, grey, grey, grey, grey}, true);
     builder.description.instances.erase(builder.description.instances.begin() + 4 + 3);  // the side of the window
     builder.description.world = Rgb(1);
-    Prepared prepared(builder.description);
-    const auto solution = prepared.solve();
-    const NodeOrder order(hierarchy_of(*solution));
-    Surroundings around(*solution, order, *prepared.tracer);
-    SkyLeaves sky(*prepared.tracer, Rgb(1));
+    UnderSky scene(builder.description);
     std::vector<Receiver> receivers;
     for (int k = 0; k < 25; ++k) {
         const Vec3 place(0.06F * static_cast<float>(k % 5 - 2), 0.06F * static_cast<float>(k / 5 - 2), 0);
         receivers.push_back({place, {0, 0, 1}, {0, 0, 1}, kNone, 0.5F, 0.1F});
     }
-    around.look_from(receivers);
     std::vector<SkyLeaf> leaves;
     DirectionTable table;
-    sky.find(receivers, around, 0.001F, leaves, table);
+    scene.find(receivers, 0.001F, leaves, table);
     EXPECT_GT(leaves.size(), 20U);
     float previous = 0;
     for (const std::size_t k : {0U, 12U, 24U}) {
@@ -197,10 +203,11 @@ TEST(SkyLeaves, light_through_a_window_agrees_with_random_rays) {
         const Sequence4 sequence(7);
         for (std::uint32_t i = 0; i < kRays; ++i) {
             const Vec3 d = square_to_cosine_hemisphere(sequence(i, 0), sequence(i, 1));
-            const bool seen = !prepared.tracer->occluded({receivers[k].position, d, 0, kInfinity}, RayMask::kLight);
+            const bool seen =
+                !scene.prepared.tracer->occluded({receivers[k].position, d, 0, kInfinity}, RayMask::kLight);
             exact += seen ? static_cast<double>(kPi) / kRays : 0;
         }
-        const float found = sky_light(*prepared.tracer, receivers[k], leaves, table);
+        const float found = sky_light(*scene.prepared.tracer, receivers[k], leaves, table);
         EXPECT_NEAR(found / exact, 1, k == 12 ? 0.03 : 0.09) << k;  // few receivers look from the corners
         EXPECT_GT(found, previous);
         previous = found;
