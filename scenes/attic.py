@@ -169,7 +169,8 @@ def under_the_skylight(x, y):
     furniture("toy car", "CC-BY", "carrito-de-madera", (x + 0.20, y - 0.42, top), turn=60,
               colours={"Material": (0.30, 0.09, 0.06), "Material.001": (0.50, 0.36, 0.20),
                        "Material.003": (0.08, 0.06, 0.05)})
-    furniture("chair", "CC-0", "antiqueChair", (x + 0.66, y - 0.12, 0), turn=-112)
+    furniture("chair", "CC-0", "chairWithCushion", (x + 0.66, y - 0.12, 0), turn=-112,
+              colours={"Cloth": (0.28, 0.10, 0.07), "ChairWood": (0.30, 0.17, 0.09)})
 
 
 def under_the_window():

@@ -12,12 +12,24 @@ namespace gg {
 namespace {
 
 constexpr float kSameNormal = 0.97F;       // cosine of the largest angle within a fragment
-constexpr std::uint32_t kEdgeSamples = 4;  // times the samples, where something that shines ends within a pixel
+constexpr std::uint32_t kEdgeSamples = 8;  // times the samples, where something that shines ends in a pixel or beside it
 constexpr float kSamePlane = 2;            // largest distance from a fragment's plane, in pixels
 
 std::uint64_t pixel_id(std::uint32_t x, std::uint32_t y) {
     return std::uint64_t{y} << 32 | x;
 }
+
+// Of what shines by itself over some samples.
+struct Shining {
+    float darkest = kInfinity, brightest = 0;  // luminance of radiance
+
+    void add(Rgb emitted) { add({luminance(emitted), luminance(emitted)}); }
+    void add(const Shining& other) {
+        darkest = std::min(darkest, other.darkest);
+        brightest = std::max(brightest, other.brightest);
+    }
+    [[nodiscard]] bool ends() const { return darkest < 0.5F * brightest; }
+};
 
 // One pixel after the other.
 class PixelBuilder {
@@ -26,14 +38,11 @@ class PixelBuilder {
     PixelBuilder(const View& view, const IrradianceAt* irradiance_at, TileFragments& out)
         : view_(view), irradiance_at_(irradiance_at), out_(out) {}
 
-    // False, and nothing is added, if these samples are too few.
-    bool add(std::span<const Ray> rays, std::span<const Hit> hits, bool take_any) {
+    // Returns what shines in the pixel.
+    Shining add(std::span<const Ray> rays, std::span<const Hit> hits) {
         PixelFragments pixel;
         pixel.samples = static_cast<std::uint32_t>(rays.size());
         const std::uint32_t kept = collect(rays, hits, pixel);
-        if (!take_any && darkest_ < 0.5F * brightest_) {
-            return false;
-        }
         const float share = 1 / static_cast<float>(rays.size());
         pixel.emitted *= share;
         pixel.alpha *= share;
@@ -43,7 +52,7 @@ class PixelBuilder {
         }
         pixel.end = static_cast<std::uint32_t>(out_.fragments.size());
         out_.pixels.push_back(pixel);
-        return true;
+        return shining_;
     }
 
     [[nodiscard]] std::vector<FragmentPart> divide(std::span<const Ray> rays, std::span<const Hit> hits) {
@@ -81,8 +90,7 @@ class PixelBuilder {
     // Sorts samples into parts. Returns how many are finite.
     std::uint32_t collect(std::span<const Ray> rays, std::span<const Hit> hits, PixelFragments& pixel) {
         parts_.clear();
-        darkest_ = kInfinity;
-        brightest_ = 0;
+        shining_ = {};
         std::uint32_t kept = 0;
         for (std::size_t sample = 0; sample < rays.size(); ++sample) {
             kept += add_sample(rays[sample], hits[sample], pixel) ? 1 : 0;
@@ -90,15 +98,10 @@ class PixelBuilder {
         return kept;
     }
 
-    void note_shining(Rgb emitted) {
-        darkest_ = std::min(darkest_, luminance(emitted));
-        brightest_ = std::max(brightest_, luminance(emitted));
-    }
-
     // False for a sample that is not finite.
     bool add_sample(const Ray& ray, const Hit& hit, PixelFragments& pixel) {
         if (hit.missed()) {
-            note_shining(view_.settings.film_transparent ? Rgb(0.0F) : view_.scene.world);
+            shining_.add(view_.settings.film_transparent ? Rgb(0.0F) : view_.scene.world);
             if (!view_.settings.film_transparent) {
                 pixel.emitted += view_.scene.world;
                 pixel.alpha += 1;
@@ -122,7 +125,7 @@ class PixelBuilder {
             }
             pixel.emitted += reflected;
         }
-        note_shining(colors.emission);
+        shining_.add(colors.emission);
         pixel.emitted += colors.emission;
         pixel.alpha += 1;
         if (irradiance_at_ != nullptr) {
@@ -188,62 +191,107 @@ class PixelBuilder {
     const IrradianceAt* irradiance_at_;
     TileFragments& out_;
     std::vector<Part> parts_;
-    float darkest_ = 0, brightest_ = 0;  // of what shines by itself, over the samples
+    Shining shining_;
 };
 
-// Counted in the full picture: a crop shows what the full picture shows.
-void add_rays(const View& view, std::uint32_t x, std::uint32_t y, std::span<Ray> rays) {
+// x, y: of a pixel, counted in the full picture: a crop shows what the full picture shows.
+void add_rays(const View& view, int x, int y, std::span<Ray> rays) {
+    const std::uint64_t pixel = pixel_id(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
     for (std::uint32_t sample = 0; sample < rays.size(); ++sample) {
-        const Vec2 offset = view.filter.offset(pixel_id(x, y), sample);
+        const Vec2 offset = view.filter.offset(pixel, sample);
         rays[sample] =
             view.camera.ray(static_cast<float>(x) + 0.5F + offset.x, static_cast<float>(y) + 0.5F + offset.y);
     }
 }
 
-TileFragments trace(const View& view, const Rectangle& tile, const IrradianceAt* irradiance_at) {
-    TileFragments result;
-    result.tile = tile;
-    result.pixels.reserve(std::size_t{tile.width} * tile.height);
-    const std::uint32_t samples = view.settings.samples;
-    std::vector<Ray> rays(std::size_t{tile.width} * samples);
-    std::vector<Hit> hits(rays.size());
-    std::vector<Ray> more_rays(std::size_t{kEdgeSamples} * samples);
-    std::vector<Hit> more_hits(more_rays.size());
-    PixelBuilder builder(view, irradiance_at, result);
-    for (std::uint32_t row = 0; row < tile.height; ++row) {
-        for (std::uint32_t column = 0; column < tile.width; ++column) {
-            add_rays(view, view.settings.crop.x + tile.x + column, view.settings.crop.y + tile.y + row,
-                     std::span(rays).subspan(std::size_t{column} * samples, samples));
-        }
-        view.tracer.closest_hits(rays, hits, RayMask::kCamera, Coherence::kCoherent);
-        for (std::uint32_t column = 0; column < tile.width; ++column) {
-            const std::size_t first = std::size_t{column} * samples;
-            if (!builder.add(std::span(rays).subspan(first, samples), std::span(hits).subspan(first, samples), false)) {
-                add_rays(view, view.settings.crop.x + tile.x + column, view.settings.crop.y + tile.y + row, more_rays);
-                view.tracer.closest_hits(more_rays, more_hits, RayMask::kCamera, Coherence::kCoherent);
-                builder.add(more_rays, more_hits, true);
+// Pixels of a tile, and what shines in them and in those around the tile.
+class TileTracer {
+  public:
+    TileTracer(const View& view, const Rectangle& tile, const IrradianceAt* irradiance_at)
+        : view_(view),
+          irradiance_at_(irradiance_at),
+          x_(static_cast<int>(view.settings.crop.x + tile.x)),
+          y_(static_cast<int>(view.settings.crop.y + tile.y)),
+          width_(static_cast<int>(tile.width)),
+          height_(static_cast<int>(tile.height)) {
+        first_.tile = tile;
+    }
+
+    TileFragments trace() {
+        const std::uint32_t samples = view_.settings.samples;
+        TileFragments unused, result;
+        PixelBuilder inner(view_, irradiance_at_, first_), outer(view_, irradiance_at_, unused);
+        for (int row = -1; row <= height_; ++row) {
+            for (int column = -1; column <= width_; ++column) {
+                const bool inside = row >= 0 && row < height_ && column >= 0 && column < width_;
+                shining_.push_back(add(inside ? inner : outer, row, column, samples));
             }
         }
+        result.tile = first_.tile;
+        PixelBuilder closer(view_, irradiance_at_, result);
+        for (int row = 0; row < height_; ++row) {
+            for (int column = 0; column < width_; ++column) {
+                if (ends_near(row, column)) {
+                    add(closer, row, column, kEdgeSamples * samples);
+                } else {
+                    copy(static_cast<std::size_t>(row) * width_ + column, result);
+                }
+            }
+        }
+        return result;
     }
-    return result;
-}
+
+  private:
+    Shining add(PixelBuilder& builder, int row, int column, std::uint32_t samples) {
+        rays_.resize(samples);
+        hits_.resize(samples);
+        add_rays(view_, x_ + column, y_ + row, rays_);
+        view_.tracer.closest_hits(rays_, hits_, RayMask::kCamera, Coherence::kCoherent);
+        return builder.add(rays_, hits_);
+    }
+
+    // Few samples of a pixel may miss what is at its rim, and a lamp counts there, too: so those beside it say what ends.
+    [[nodiscard]] bool ends_near(int row, int column) const {
+        Shining around;
+        for (int i = 0; i < 9; ++i) {
+            around.add(shining_[static_cast<std::size_t>(row + i / 3) * (width_ + 2) + column + i % 3]);
+        }
+        return around.ends();
+    }
+
+    void copy(std::size_t pixel, TileFragments& to) const {
+        PixelFragments copied = first_.pixels[pixel];
+        const auto begin = first_.fragments.begin();
+        to.fragments.insert(to.fragments.end(), begin + first_.begin_of(pixel), begin + copied.end);
+        copied.end = static_cast<std::uint32_t>(to.fragments.size());
+        to.pixels.push_back(copied);
+    }
+
+    const View& view_;
+    const IrradianceAt* irradiance_at_;
+    int x_, y_, width_, height_;
+    TileFragments first_;
+    std::vector<Shining> shining_;  // with a rim of one pixel
+    std::vector<Ray> rays_;
+    std::vector<Hit> hits_;
+};
 
 }  // namespace
 
 TileFragments trace_tile(const View& view, const Rectangle& tile) {
-    return trace(view, tile, nullptr);
+    return TileTracer(view, tile, nullptr).trace();
 }
 
 TileFragments trace_lit_tile(const View& view, const Rectangle& tile, const IrradianceAt& irradiance_at) {
-    return trace(view, tile, &irradiance_at);
+    return TileTracer(view, tile, &irradiance_at).trace();
 }
 
 std::vector<FragmentPart> divide_pixel(const View& view, const TileFragments& tile, std::size_t pixel) {
     const auto at = static_cast<std::uint32_t>(pixel);
     std::vector<Ray> rays(tile.pixels[pixel].samples);
     std::vector<Hit> hits(rays.size());
-    add_rays(view, view.settings.crop.x + tile.tile.x + at % tile.tile.width,
-             view.settings.crop.y + tile.tile.y + at / tile.tile.width, rays);
+    add_rays(view, static_cast<int>(view.settings.crop.x + tile.tile.x + at % tile.tile.width),
+             static_cast<int>(view.settings.crop.y + tile.tile.y + at / tile.tile.width), rays);
     view.tracer.closest_hits(rays, hits, RayMask::kCamera, Coherence::kCoherent);
     TileFragments unused;
     return PixelBuilder(view, nullptr, unused).divide(rays, hits);
