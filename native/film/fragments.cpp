@@ -12,23 +12,33 @@ namespace gg {
 namespace {
 
 constexpr float kSameNormal = 0.97F;       // cosine of the largest angle within a fragment
-constexpr std::uint32_t kEdgeSamples = 8;  // times the samples, where something that shines ends in a pixel or beside it
+// Times the samples: where surfaces or colours change, and where something that shines ends in a pixel or beside it.
+constexpr std::uint32_t kBorderSamples = 4, kEdgeSamples = 8;
+constexpr float kEvenColor = 1.25F;  // ratio of a pixel's brightest albedo to its darkest
 constexpr float kSamePlane = 2;            // largest distance from a fragment's plane, in pixels
 
 std::uint64_t pixel_id(std::uint32_t x, std::uint32_t y) {
     return std::uint64_t{y} << 32 | x;
 }
 
-// Of what shines by itself over some samples.
-struct Shining {
-    float darkest = kInfinity, brightest = 0;  // luminance of radiance
+// From the darkest to the brightest of some samples, luminance.
+struct Range {
+    float darkest = kInfinity, brightest = 0;
 
-    void add(Rgb emitted) { add({luminance(emitted), luminance(emitted)}); }
-    void add(const Shining& other) {
+    void add(Rgb color) { add({luminance(color), luminance(color)}); }
+    void add(const Range& other) {
         darkest = std::min(darkest, other.darkest);
         brightest = std::max(brightest, other.brightest);
     }
-    [[nodiscard]] bool ends() const { return darkest < 0.5F * brightest; }
+    [[nodiscard]] bool exceeds(float ratio) const { return brightest > ratio * darkest; }
+};
+
+// What a pixel's samples found.
+struct Variety {
+    Range shining, albedo;
+    bool several = false;  // fragments
+
+    [[nodiscard]] bool has_borders() const { return several || albedo.exceeds(kEvenColor); }
 };
 
 // One pixel after the other.
@@ -38,8 +48,7 @@ class PixelBuilder {
     PixelBuilder(const View& view, const IrradianceAt* irradiance_at, TileFragments& out)
         : view_(view), irradiance_at_(irradiance_at), out_(out) {}
 
-    // Returns what shines in the pixel.
-    Shining add(std::span<const Ray> rays, std::span<const Hit> hits) {
+    Variety add(std::span<const Ray> rays, std::span<const Hit> hits) {
         PixelFragments pixel;
         pixel.samples = static_cast<std::uint32_t>(rays.size());
         const std::uint32_t kept = collect(rays, hits, pixel);
@@ -52,7 +61,8 @@ class PixelBuilder {
         }
         pixel.end = static_cast<std::uint32_t>(out_.fragments.size());
         out_.pixels.push_back(pixel);
-        return shining_;
+        variety_.several = parts_.size() > 1;
+        return variety_;
     }
 
     [[nodiscard]] std::vector<FragmentPart> divide(std::span<const Ray> rays, std::span<const Hit> hits) {
@@ -90,7 +100,7 @@ class PixelBuilder {
     // Sorts samples into parts. Returns how many are finite.
     std::uint32_t collect(std::span<const Ray> rays, std::span<const Hit> hits, PixelFragments& pixel) {
         parts_.clear();
-        shining_ = {};
+        variety_ = {};
         std::uint32_t kept = 0;
         for (std::size_t sample = 0; sample < rays.size(); ++sample) {
             kept += add_sample(rays[sample], hits[sample], pixel) ? 1 : 0;
@@ -101,7 +111,7 @@ class PixelBuilder {
     // False for a sample that is not finite.
     bool add_sample(const Ray& ray, const Hit& hit, PixelFragments& pixel) {
         if (hit.missed()) {
-            shining_.add(view_.settings.film_transparent ? Rgb(0.0F) : view_.scene.world);
+            variety_.shining.add(view_.settings.film_transparent ? Rgb(0.0F) : view_.scene.world);
             if (!view_.settings.film_transparent) {
                 pixel.emitted += view_.scene.world;
                 pixel.alpha += 1;
@@ -125,7 +135,8 @@ class PixelBuilder {
             }
             pixel.emitted += reflected;
         }
-        shining_.add(colors.emission);
+        variety_.shining.add(colors.emission);
+        variety_.albedo.add(colors.albedo);
         pixel.emitted += colors.emission;
         pixel.alpha += 1;
         if (irradiance_at_ != nullptr) {
@@ -191,7 +202,7 @@ class PixelBuilder {
     const IrradianceAt* irradiance_at_;
     TileFragments& out_;
     std::vector<Part> parts_;
-    Shining shining_;
+    Variety variety_;
 };
 
 // x, y: of a pixel, counted in the full picture: a crop shows what the full picture shows.
@@ -224,15 +235,17 @@ class TileTracer {
         for (int row = -1; row <= height_; ++row) {
             for (int column = -1; column <= width_; ++column) {
                 const bool inside = row >= 0 && row < height_ && column >= 0 && column < width_;
-                shining_.push_back(add(inside ? inner : outer, row, column, samples));
+                found_.push_back(add(inside ? inner : outer, row, column, samples));
             }
         }
         result.tile = first_.tile;
         PixelBuilder closer(view_, irradiance_at_, result);
         for (int row = 0; row < height_; ++row) {
             for (int column = 0; column < width_; ++column) {
-                if (ends_near(row, column)) {
+                if (shining_ends_near(row, column)) {
                     add(closer, row, column, kEdgeSamples * samples);
+                } else if (found(row, column).has_borders()) {
+                    add(closer, row, column, kBorderSamples * samples);
                 } else {
                     copy(static_cast<std::size_t>(row) * width_ + column, result);
                 }
@@ -242,7 +255,7 @@ class TileTracer {
     }
 
   private:
-    Shining add(PixelBuilder& builder, int row, int column, std::uint32_t samples) {
+    Variety add(PixelBuilder& builder, int row, int column, std::uint32_t samples) {
         rays_.resize(samples);
         hits_.resize(samples);
         add_rays(view_, x_ + column, y_ + row, rays_);
@@ -251,12 +264,17 @@ class TileTracer {
     }
 
     // Few samples of a pixel may miss what is at its rim, and a lamp counts there, too: so those beside it say what ends.
-    [[nodiscard]] bool ends_near(int row, int column) const {
-        Shining around;
+    [[nodiscard]] bool shining_ends_near(int row, int column) const {
+        constexpr float kEven = 2;
+        Range around;
         for (int i = 0; i < 9; ++i) {
-            around.add(shining_[static_cast<std::size_t>(row + i / 3) * (width_ + 2) + column + i % 3]);
+            around.add(found(row + i / 3 - 1, column + i % 3 - 1).shining);
         }
-        return around.ends();
+        return around.exceeds(kEven);
+    }
+
+    [[nodiscard]] const Variety& found(int row, int column) const {
+        return found_[static_cast<std::size_t>(row + 1) * (width_ + 2) + column + 1];
     }
 
     void copy(std::size_t pixel, TileFragments& to) const {
@@ -271,7 +289,7 @@ class TileTracer {
     const IrradianceAt* irradiance_at_;
     int x_, y_, width_, height_;
     TileFragments first_;
-    std::vector<Shining> shining_;  // with a rim of one pixel
+    std::vector<Variety> found_;  // with a rim of one pixel
     std::vector<Ray> rays_;
     std::vector<Hit> hits_;
 };
