@@ -65,22 +65,13 @@ class PixelBuilder {
         return variety_;
     }
 
-    [[nodiscard]] std::vector<FragmentPart> divide(std::span<const Ray> rays, std::span<const Hit> hits) {
+    [[nodiscard]] std::vector<FragmentPart> divide(std::span<const Ray> rays, std::span<const Hit> hits, int halvings) {
         PixelFragments pixel;
         collect(rays, hits, pixel);
         const float share = 1 / static_cast<float>(rays.size());
         std::vector<FragmentPart> result;
         for (std::uint32_t k = 0; k < parts_.size(); ++k) {
-            const std::span<Place> all = parts_[k].places;
-            const std::size_t half = halve(all);
-            for (const std::span<Place> side : {all.first(half), all.subspan(half)}) {
-                const std::size_t quarter = halve(side);
-                for (const std::span<Place> places : {side.first(quarter), side.subspan(quarter)}) {
-                    if (!places.empty()) {
-                        result.push_back({fragment_of(places, parts_[k].fragment, share), k});
-                    }
-                }
-            }
+            divide(parts_[k].places, halvings, {parts_[k].fragment, k}, share, result);
         }
         return result;
     }
@@ -177,6 +168,20 @@ class PixelBuilder {
             return a.point.position[axis] < b.point.position[axis];
         });
         return places.size() / 2;
+    }
+
+    void divide(std::span<Place> places, int halvings, const FragmentPart& whole, float share,
+                std::vector<FragmentPart>& out) const {
+        if (places.empty()) {
+            return;
+        }
+        if (halvings == 0) {
+            out.push_back({fragment_of(places, whole.at, share), whole.fragment});
+            return;
+        }
+        const std::size_t half = halve(places);
+        divide(places.first(half), halvings - 1, whole, share, out);
+        divide(places.subspan(half), halvings - 1, whole, share, out);
     }
 
     // The place next to the middle stands for all. share: of a place.
@@ -304,7 +309,7 @@ TileFragments trace_lit_tile(const View& view, const Rectangle& tile, const Irra
     return TileTracer(view, tile, &irradiance_at).trace();
 }
 
-std::vector<FragmentPart> divide_pixel(const View& view, const TileFragments& tile, std::size_t pixel) {
+std::vector<FragmentPart> divide_pixel(const View& view, const TileFragments& tile, std::size_t pixel, int halvings) {
     const auto at = static_cast<std::uint32_t>(pixel);
     std::vector<Ray> rays(tile.pixels[pixel].samples);
     std::vector<Hit> hits(rays.size());
@@ -312,7 +317,7 @@ std::vector<FragmentPart> divide_pixel(const View& view, const TileFragments& ti
              static_cast<int>(view.settings.crop.y + tile.tile.y + at / tile.tile.width), rays);
     view.tracer.closest_hits(rays, hits, RayMask::kCamera, Coherence::kCoherent);
     TileFragments unused;
-    return PixelBuilder(view, nullptr, unused).divide(rays, hits);
+    return PixelBuilder(view, nullptr, unused).divide(rays, hits, halvings);
 }
 
 std::uint64_t resolve_tile(const View& view, const TileFragments& tile, std::span<const Rgb> irradiance,

@@ -48,9 +48,10 @@ struct FragmentPart {
     std::uint32_t fragment = 0;  // of the pixel's: which one it is a part of
 };
 
-// The parts of a pixel's fragments, up to four of each, where light changes within them. pixel: index into the tile's
-// pixels.
-[[nodiscard]] std::vector<FragmentPart> divide_pixel(const View& view, const TileFragments& tile, std::size_t pixel);
+// The parts of a pixel's fragments, in their order, where light changes within them. pixel: index into the tile's
+// pixels. halvings: of each, so that it has up to 2^halvings parts.
+[[nodiscard]] std::vector<FragmentPart> divide_pixel(const View& view, const TileFragments& tile, std::size_t pixel,
+                                                     int halvings);
 
 // Irradiance [W/m2] where a ray met a surface, at its front or back.
 using IrradianceAt = std::function<Rgb(const Hit& hit, bool back)>;

@@ -124,7 +124,7 @@ void Classifier::add_rays(Candidate& candidate, std::span<const Receiver> receiv
             }
         } else {
             const SenderPoint target =
-                SenderSampler(solution_, sender, receiver.position).point(point, receiver.shading_normal);
+                SenderSampler(solution_, sender, receiver.position, receiver.shading_normal).point(point);
             if (target.weight > 0 && receiver.faces(target.direction)) {
                 rays_.push_back({receiver.position, target.direction, 0, target.infinite ? kInfinity : kAlmost});
                 ++point;

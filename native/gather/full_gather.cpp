@@ -50,9 +50,9 @@ void FullGather::add_rays(const Fragment& at, Task& task, std::uint32_t count) {
             }
         }
     } else {
-        const SenderSampler sampler(solution_, sender, x);
+        const SenderSampler sampler(solution_, sender, x, at.shading_normal);
         for (std::uint32_t i = 0; i < count; ++i) {
-            const SenderPoint point = sampler.point(i, at.shading_normal);
+            const SenderPoint point = sampler.point(i);
             if (point.weight > 0) {
                 rays_.push_back({x, point.direction, 0, point.infinite ? kInfinity : kAlmost});
                 weights_.push_back(point.weight);

@@ -22,6 +22,8 @@ namespace {
 constexpr int kFullSamples = 256;
 constexpr float kCellsAcross = 17.5F;  // along the short side of a picture
 constexpr std::size_t kSitesAtOnce = 64;
+constexpr int kHalvings = 2;           // of fragments in which light jumps
+constexpr float kQuartersJump = 0.5F;  // of the pixel's light, between parts that are divided further
 
 // What the radiosity solution says of a fragment, luminance [W/m2].
 float expected_irradiance(const Solution& solution, const Fragment& at) {
@@ -45,20 +47,44 @@ void report(const GatherCounts& total, Statistics& statistics) {
     statistics.set_count("near rays", static_cast<double>(total.near_rays));
 }
 
-// The light of a fragment as the mean over its parts, for all of `jumps` that are of its pixel.
+// The mean light over the parts of a fragment. Returns how much it differs between them, as the picture would show it if
+// each were the whole fragment.
+template <typename Light>
+float light_of_parts(std::span<const FragmentPart> parts, std::uint32_t fragment, const Light& light_at, Rgb& mean) {
+    Rgb reflected(0.0F), albedo(0.0F), least(kInfinity), most(0.0F);
+    for (const FragmentPart& part : parts) {
+        if (part.fragment == fragment) {
+            const Rgb light = light_at(part.at);
+            reflected += part.at.albedo * light;
+            albedo += part.at.albedo;
+            least = glm::min(least, light);
+            most = glm::max(most, light);
+        }
+    }
+    mean = reflected / glm::max(albedo, Rgb(1e-20F));
+    return luminance(albedo * (most - least));
+}
+
+// The light of a fragment as the mean over its parts, for all of `jumps` that are of its pixel; where its quarters
+// differ much, over parts of these.
 template <typename Light>
 void light_parts(const View& view, const TileFragments& tile, std::span<const JumpingFragment> jumps,
                  const Light& light_at, TileLight& light) {
-    const std::vector<FragmentPart> parts = divide_pixel(view, tile, jumps.front().pixel);
+    const std::size_t pixel = jumps.front().pixel;
+    float seen = kPi * luminance(tile.pixels[pixel].emitted);
+    for (std::uint32_t f = tile.begin_of(pixel); f < tile.pixels[pixel].end; ++f) {
+        seen += luminance(tile.fragments[f].albedo * light[f]);
+    }
+    std::vector<FragmentPart> quarters = divide_pixel(view, tile, pixel, kHalvings), smaller;
     for (const JumpingFragment& jump : jumps) {
-        Rgb reflected(0.0F), albedo(0.0F);
-        for (const FragmentPart& part : parts) {
-            if (part.fragment == jump.fragment) {
-                reflected += part.at.albedo * light_at(part.at);
-                albedo += part.at.albedo;
+        Rgb& mean = light[tile.begin_of(pixel) + jump.fragment];
+        const float step = light_of_parts(quarters, jump.fragment, light_at, mean);
+        if (step > kQuartersJump * seen) {
+            if (smaller.empty()) {
+                smaller = divide_pixel(view, tile, pixel, 2 * kHalvings);
             }
+            light_of_parts(smaller, jump.fragment, light_at, mean);
         }
-        light[tile.begin_of(jump.pixel) + jump.fragment] = reflected / glm::max(albedo, Rgb(1e-20F));
     }
 }
 

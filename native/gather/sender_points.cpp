@@ -138,25 +138,25 @@ std::span<const FacePoint> ClusterPoints::of(NodeId cluster) const {
     return luminance(found.front().power) > 0 ? found : std::span<const FacePoint>();
 }
 
-SenderSampler::SenderSampler(const Solution& solution, NodeId sender, Vec3 x)
-    : node_(hierarchy_of(solution)[sender]), x_(x), places_(hash64(node_.stable_id, kPlaceSeed)) {
+SenderSampler::SenderSampler(const Solution& solution, NodeId sender, Vec3 x, Vec3 n)
+    : node_(hierarchy_of(solution)[sender]), x_(x), n_(n), places_(hash64(node_.stable_id, kPlaceSeed)) {
     if (node_.kind == NodeKind::kLamp) {
-        lamp_.emplace(hierarchy_of(solution).scene().lamps[node_.source], x);
+        lamp_.emplace(hierarchy_of(solution).scene().lamps[node_.source], x, n);
     }
 }
 
-SenderPoint SenderSampler::point(std::uint32_t index, Vec3 normal) const {
+SenderPoint SenderSampler::point(std::uint32_t index) const {
     const float u = places_(index, 0), v = places_(index, 1);
     if (lamp_) {
         const LampSample sample = lamp_->sample(u, v);
-        const float weight = luminance(sample.normal_irradiance) * std::max(0.0F, dot(normal, sample.direction));
+        const float weight = luminance(sample.normal_irradiance) * std::max(0.0F, dot(n_, sample.direction));
         const bool infinite = std::isinf(sample.distance);
         return {infinite ? sample.direction : sample.point - x_, infinite, weight};
     }
     const Vec3 w = square_to_triangle(u, v);
     const Vec3 to = w.x * node_.corner[0] + w.y * node_.corner[1] + w.z * node_.corner[2] - x_;
     const float square = length_squared(to) + 1e-3F * node_.area;
-    return {to, false, std::max(0.0F, dot(normal, to)) * std::max(0.0F, -dot(node_.normal, to)) / (square * square)};
+    return {to, false, std::max(0.0F, dot(n_, to)) * std::max(0.0F, -dot(node_.normal, to)) / (square * square)};
 }
 
 std::span<const std::uint32_t> SenderSampler::in_blocks(std::uint32_t count, std::vector<std::uint32_t>& order) const {

@@ -45,19 +45,18 @@ struct SenderPoint {
     float weight = 0;  // what arrives from there: cosines over distance squared, any constant factor
 };
 
-// The points of a sender as a receiver at x sees them. Keeps references.
+// The points of a sender as a receiver at x with unit normal n sees them. Keeps references.
 class SenderSampler {
   public:
-    SenderSampler(const Solution& solution, NodeId sender, Vec3 x);
+    SenderSampler(const Solution& solution, NodeId sender, Vec3 x, Vec3 n);
 
-    // normal: unit, of the receiver.
-    [[nodiscard]] SenderPoint point(std::uint32_t index, Vec3 normal) const;
+    [[nodiscard]] SenderPoint point(std::uint32_t index) const;
     // The first `count` indices, those of neighbouring points next to one another.
     std::span<const std::uint32_t> in_blocks(std::uint32_t count, std::vector<std::uint32_t>& order) const;
 
   private:
     const Node& node_;
-    Vec3 x_;
+    Vec3 x_, n_;
     Sequence4 places_;
     std::optional<LampSampler> lamp_;
 };

@@ -104,9 +104,9 @@ void Shader::add_rays(const Fragment& at, Vec3 x, Task& task) {
             add(to, false, luminance(light), share(i));
         }
     } else {
-        const SenderSampler sampler(solution_, task.sender, x);
+        const SenderSampler sampler(solution_, task.sender, x, at.shading_normal);
         for (const std::uint32_t i : sampler.in_blocks(count, order_)) {
-            const SenderPoint point = sampler.point(i, at.shading_normal);
+            const SenderPoint point = sampler.point(i);
             add(point.direction, point.infinite, point.weight, share(i));
         }
     }

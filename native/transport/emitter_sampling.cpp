@@ -197,14 +197,40 @@ LampSampler::LampSampler(const Lamp& lamp, Vec3 x, float far) : lamp_(lamp), x_(
     }
 }
 
+LampSampler::LampSampler(const Lamp& lamp, Vec3 x, Vec3 n) : LampSampler(lamp, x) {
+    constexpr float kLeast = 0.1F;  // of the largest cosine, for no part may have no samples
+    if (rectangle_) {
+        std::array<float, 4> cosines{};
+        float largest = 0;
+        for (int k = 0; k < 4; ++k) {
+            const Vec3 to = rectangle_->point(static_cast<float>(k % 2), static_cast<float>(k / 2));
+            cosines[k] = dot(n, to) / length(to);
+            largest = std::max(largest, cosines[k]);
+        }
+        for (float& cosine : cosines) {
+            cosine = std::max(cosine, kLeast * largest);
+        }
+        if (largest > 0) {
+            warp_.emplace(cosines);
+        }
+    }
+}
+
 LampSample LampSampler::sample(float u, float v) const {
     if (rectangle_) {
         LampSample sample;
+        float density = 1;
+        if (warp_) {
+            const Vec2 place = warp_->place(u, v);
+            u = place.x;
+            v = place.y;
+            density = warp_->density(place);
+        }
         const Vec3 to_sample = rectangle_->point(u, v);
         sample.point = x_ + to_sample;
         sample.distance = length(to_sample);
         sample.direction = to_sample / sample.distance;
-        sample.normal_irradiance = lamp_.radiance * rectangle_->solid_angle();
+        sample.normal_irradiance = lamp_.radiance * (rectangle_->solid_angle() / density);
         return sample;
     }
     switch (lamp_.shape) {

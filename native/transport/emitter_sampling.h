@@ -5,6 +5,7 @@
 
 #include "core/vec.h"
 #include "scene/scene.h"
+#include "transport/bilinear_warp.h"
 #include "transport/spherical_rectangle.h"
 
 namespace gg {
@@ -31,6 +32,9 @@ struct LampSample {
 class LampSampler {
   public:
     LampSampler(const Lamp& lamp, Vec3 x, float far = 50);
+    // For a receiver with unit normal n: samples of rectangles are dense where the cosine is large, so that they bring
+    // about the same.
+    LampSampler(const Lamp& lamp, Vec3 x, Vec3 n);
 
     [[nodiscard]] LampSample sample(float u, float v) const;
 
@@ -38,6 +42,7 @@ class LampSampler {
     const Lamp& lamp_;
     Vec3 x_;
     std::optional<SphericalRectangle> rectangle_;
+    std::optional<BilinearWarp> warp_;
 };
 
 // Irradiance as a vector: `irradiance` [W/m2] falls on a plane at x that faces `direction` (unit, towards the lamp),

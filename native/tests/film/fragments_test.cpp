@@ -87,7 +87,7 @@ TEST_F(FragmentsTest, parts_of_a_fragment_are_all_of_it) {
     const TileFragments tile = trace();
     std::size_t most = 0;
     for (std::uint32_t p = 0; p < tile.pixels.size(); ++p) {
-        const auto parts = divide_pixel(view(), tile, p);
+        const auto parts = divide_pixel(view(), tile, p, 2);
         const std::uint32_t first = tile.begin_of(p);
         std::vector<float> share(tile.pixels[p].end - first), albedo(share), count(share);
         for (const FragmentPart& part : parts) {
@@ -111,7 +111,7 @@ TEST_F(FragmentsTest, parts_of_a_fragment_are_all_of_it) {
 // The four parts of a pixel lie in its four quarters.
 TEST_F(FragmentsTest, parts_lie_apart) {
     const TileFragments tile = trace();
-    const auto parts = divide_pixel(view(), tile, 8 * kSize + 12);
+    const auto parts = divide_pixel(view(), tile, 8 * kSize + 12, 2);
     ASSERT_EQ(parts.size(), 4U);
     const float pixel = 1.0F / kSize;
     for (std::size_t a = 0; a < 4; ++a) {

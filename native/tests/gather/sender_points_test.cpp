@@ -55,7 +55,7 @@ TEST(SenderLight, points_of_an_element_agree_with_its_polygon) {
         float sum = 0;
         constexpr int kCount = 4096;
         for (std::uint32_t i = 0; i < kCount; ++i) {
-            sum += SenderSampler(*solution, id, x).point(i, n).weight / kCount;
+            sum += SenderSampler(*solution, id, x, n).point(i).weight / kCount;
         }
         const float exact = luminance(unoccluded_irradiance(*solution, id, x, n));
         const float sampled = sum * node.area / kPi * luminance(radiosity_of(*solution, id));
