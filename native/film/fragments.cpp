@@ -11,11 +11,11 @@ namespace gg {
 
 namespace {
 
-constexpr float kSameNormal = 0.97F;       // cosine of the largest angle within a fragment
+constexpr float kSameNormal = 0.97F;  // cosine of the largest angle within a fragment
 // Times the samples: where surfaces or colours change, and where something that shines ends in a pixel or beside it.
 constexpr std::uint32_t kBorderSamples = 4, kEdgeSamples = 8;
 constexpr float kEvenColor = 1.25F;  // ratio of a pixel's brightest albedo to its darkest
-constexpr float kSamePlane = 2;            // largest distance from a fragment's plane, in pixels
+constexpr float kSamePlane = 2;      // largest distance from a fragment's plane, in pixels
 
 std::uint64_t pixel_id(std::uint32_t x, std::uint32_t y) {
     return std::uint64_t{y} << 32 | x;
@@ -268,7 +268,8 @@ class TileTracer {
         return builder.add(rays_, hits_);
     }
 
-    // Few samples of a pixel may miss what is at its rim, and a lamp counts there, too: so those beside it say what ends.
+    // Few samples of a pixel may miss what is at its rim, and a lamp counts there, too: so those beside it say what
+    // ends.
     [[nodiscard]] bool shining_ends_near(int row, int column) const {
         constexpr float kEven = 2;
         Range around;

@@ -22,8 +22,9 @@ namespace {
 constexpr int kFullSamples = 256;
 constexpr float kCellsAcross = 17.5F;  // along the short side of a picture
 constexpr std::size_t kSitesAtOnce = 64;
-constexpr int kHalvings = 2;           // of fragments in which light jumps
-constexpr float kQuartersJump = 0.5F;  // of the pixel's light, between parts that are divided further
+constexpr std::size_t kFragmentsAtOnce = 32;  // neighbours, whose rays go together
+constexpr int kHalvings = 2;                  // of fragments in which light jumps
+constexpr float kQuartersJump = 0.5F;         // of the pixel's light, between parts that are divided further
 
 // What the radiosity solution says of a fragment, luminance [W/m2].
 float expected_irradiance(const Solution& solution, const Fragment& at) {
@@ -47,19 +48,24 @@ void report(const GatherCounts& total, Statistics& statistics) {
     statistics.set_count("near rays", static_cast<double>(total.near_rays));
 }
 
-// The mean light over the parts of a fragment. Returns how much it differs between them, as the picture would show it if
-// each were the whole fragment.
-template <typename Light>
-float light_of_parts(std::span<const FragmentPart> parts, std::uint32_t fragment, const Light& light_at, Rgb& mean) {
-    Rgb reflected(0.0F), albedo(0.0F), least(kInfinity), most(0.0F);
+// Works out the mean light over the parts of a fragment. Returns how much it differs between them, as the picture would
+// show it if each were the whole fragment.
+template <typename Gatherer>
+float light_of_parts(std::span<const FragmentPart> parts, std::uint32_t fragment, Gatherer& gatherer, Rgb& mean) {
+    std::vector<Fragment> own;
     for (const FragmentPart& part : parts) {
         if (part.fragment == fragment) {
-            const Rgb light = light_at(part.at);
-            reflected += part.at.albedo * light;
-            albedo += part.at.albedo;
-            least = glm::min(least, light);
-            most = glm::max(most, light);
+            own.push_back(part.at);
         }
+    }
+    TileLight light(own.size());
+    gatherer.shade(own, light);
+    Rgb reflected(0.0F), albedo(0.0F), least(kInfinity), most(0.0F);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        reflected += own[i].albedo * light[i];
+        albedo += own[i].albedo;
+        least = glm::min(least, light[i]);
+        most = glm::max(most, light[i]);
     }
     mean = reflected / glm::max(albedo, Rgb(1e-20F));
     return luminance(albedo * (most - least));
@@ -67,23 +73,24 @@ float light_of_parts(std::span<const FragmentPart> parts, std::uint32_t fragment
 
 // The light of a fragment as the mean over its parts, for all of `jumps` that are of its pixel; where its quarters
 // differ much, over parts of these.
-template <typename Light>
+template <typename Gatherer>
 void light_parts(const View& view, const TileFragments& tile, std::span<const JumpingFragment> jumps,
-                 const Light& light_at, TileLight& light) {
+                 Gatherer& gatherer, TileLight& light) {
     const std::size_t pixel = jumps.front().pixel;
     float seen = kPi * luminance(tile.pixels[pixel].emitted);
     for (std::uint32_t f = tile.begin_of(pixel); f < tile.pixels[pixel].end; ++f) {
         seen += luminance(tile.fragments[f].albedo * light[f]);
     }
-    std::vector<FragmentPart> quarters = divide_pixel(view, tile, pixel, kHalvings), smaller;
+    const std::vector<FragmentPart> quarters = divide_pixel(view, tile, pixel, kHalvings);
+    std::vector<FragmentPart> smaller;
     for (const JumpingFragment& jump : jumps) {
         Rgb& mean = light[tile.begin_of(pixel) + jump.fragment];
-        const float step = light_of_parts(quarters, jump.fragment, light_at, mean);
+        const float step = light_of_parts(quarters, jump.fragment, gatherer, mean);
         if (step > kQuartersJump * seen) {
             if (smaller.empty()) {
                 smaller = divide_pixel(view, tile, pixel, 2 * kHalvings);
             }
-            light_of_parts(smaller, jump.fragment, light_at, mean);
+            light_of_parts(smaller, jump.fragment, gatherer, mean);
         }
     }
 }
@@ -104,10 +111,12 @@ ViewCounts shade_tiles(const View& view, std::span<const TileFragments> tiles, c
     std::vector<TileLight> light(tiles.size());
     parallel_for(tiles.size(), 1, control, [&](std::size_t i) {
         auto gatherer = make();
-        light[i].reserve(tiles[i].fragments.size());
-        for (const Fragment& fragment : tiles[i].fragments) {
+        light[i].resize(tiles[i].fragments.size());
+        for (std::size_t begin = 0; begin < light[i].size(); begin += kFragmentsAtOnce) {
             control.check_cancel();
-            light[i].push_back(gatherer.irradiance(fragment));
+            const std::size_t count = std::min(kFragmentsAtOnce, light[i].size() - begin);
+            gatherer.shade(std::span(tiles[i].fragments).subspan(begin, count),
+                           std::span(light[i]).subspan(begin, count));
         }
         step(gatherer);
     });
@@ -122,9 +131,7 @@ ViewCounts shade_tiles(const View& view, std::span<const TileFragments> tiles, c
             while (end < jumps.size() && jumps[end].pixel == jumps[begin].pixel) {
                 ++end;
             }
-            light_parts(
-                view, tiles[i], std::span(jumps).subspan(begin, end - begin),
-                [&](const Fragment& at) { return gatherer.irradiance(at); }, own);
+            light_parts(view, tiles[i], std::span(jumps).subspan(begin, end - begin), gatherer, own);
         }
         divided += jumps.size();
         std::vector<Rgba> pixels(tiles[i].pixels.size());
@@ -142,7 +149,11 @@ struct FullGatherer {
     const Solution& solution;
     FullGather gather;
 
-    Rgb irradiance(const Fragment& at) { return gather.irradiance(at, expected_irradiance(solution, at)); }
+    void shade(std::span<const Fragment> fragments, std::span<Rgb> light) {
+        for (std::size_t i = 0; i < fragments.size(); ++i) {
+            light[i] = gather.irradiance(fragments[i], expected_irradiance(solution, fragments[i]));
+        }
+    }
     [[nodiscard]] const GatherCounts& counts() const { return gather.counts(); }
 };
 
@@ -152,22 +163,27 @@ struct GridGatherer {
     const std::vector<Site>& sites;
     Shader shader;
 
-    Rgb irradiance(const Fragment& at) {
-        const GridPlace place = grid.place(at.position);
-        std::array<WeightedSite, 4> around;
-        std::size_t count = 0;
-        float sum = 0;
-        for (int k = 0; k < 4; ++k) {
-            const std::uint32_t site = receivers.site_at(place.vertices[k]);
-            if (place.weights[k] > 0 && site != kNone) {
-                around[count++] = {&sites[site], place.weights[k]};
-                sum += place.weights[k];
+    std::vector<PlacedFragment> placed;
+
+    void shade(std::span<const Fragment> fragments, std::span<Rgb> light) {
+        placed.clear();
+        for (const Fragment& at : fragments) {
+            placed.push_back({at, {}, 0});
+            PlacedFragment& here = placed.back();
+            const GridPlace place = grid.place(at.position);
+            float sum = 0;
+            for (int k = 0; k < 4; ++k) {
+                const std::uint32_t site = receivers.site_at(place.vertices[k]);
+                if (place.weights[k] > 0 && site != kNone) {
+                    here.around[here.count++] = {&sites[site], place.weights[k]};
+                    sum += place.weights[k];
+                }
+            }
+            for (std::uint32_t k = 0; k < here.count; ++k) {
+                here.around[k].weight /= sum;
             }
         }
-        for (std::size_t k = 0; k < count; ++k) {
-            around[k].weight /= sum;
-        }
-        return shader.irradiance(at, std::span(around).first(count));
+        shader.shade(placed, light);
     }
     [[nodiscard]] const GatherCounts& counts() const { return shader.counts(); }
 };
@@ -217,7 +233,7 @@ ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t
         statistics.set_count("senders resampled: visibility", static_cast<double>(total.only_visibility));
         statistics.set_count("senders resampled: form factor", static_cast<double>(total.only_form_factor));
     }
-    const auto make = [&] { return GridGatherer{grid, receivers, sites, {solution, order, points, view.tracer}}; };
+    const auto make = [&] { return GridGatherer{grid, receivers, sites, {solution, order, points, view.tracer}, {}}; };
     return shade_tiles(view, tiles, make, film, control, statistics);
 }
 

@@ -20,46 +20,80 @@ struct WeightedSite {
     float weight = 0;  // 0..1, of all at a point they sum to 1
 };
 
-// Shades points, one after the other; for one thread.
+// A fragment and the sites around it.
+struct PlacedFragment {
+    Fragment at;
+    std::array<WeightedSite, 4> around;
+    std::uint32_t count = 0;  // of sites
+
+    [[nodiscard]] std::span<const WeightedSite> sites() const { return std::span(around).first(count); }
+};
+
+// Shades points, several at a time: where they lie together, so do their rays. For one thread.
 class Shader {
   public:
     Shader(const Solution& solution, const NodeOrder& order, const ClusterPoints& points, const RayTracer& tracer);
 
-    // Irradiance, W/m2.
-    [[nodiscard]] Rgb irradiance(const Fragment& at, std::span<const WeightedSite> sites);
+    // light: irradiance of each, W/m2.
+    void shade(std::span<const PlacedFragment> fragments, std::span<Rgb> light);
     [[nodiscard]] const GatherCounts& counts() const { return counts_; }
 
   private:
-    // A sender of any of the sites.
+    // A sender of any of a point's sites.
     struct Task {
         NodeId sender = kNone;
         bool form_factor = false, visibility = false;
         float samples = 0;
         Rgb unoccluded{0.0F};
-        std::uint32_t first_ray = 0, ray_count = 0;
-        float seen = 1;  // visibility at the point
+        float sent = 0, seen = 0;  // weights of all rays, and of those that arrive
+
+        [[nodiscard]] float visible() const { return sent > 0 ? seen / sent : 0; }
     };
 
-    // A part of the sky that any of the sites looks at anew.
-    struct SkyTask {
-        Vec3 direction{0.0F};
-        float weight = 0;  // solid angle times the sites' weights, sr
+    struct Point {
+        Vec3 x{0.0F};  // where its rays start
+        std::uint32_t first_task = 0, end_task = 0;
+        Rgb light{0.0F};
+    };
+
+    struct RayOwner {
+        std::uint32_t owner = 0;  // task, or of the sky's rays point
+        float weight = 0;
+    };
+
+    // A point that sends rays to the sender of the moment.
+    struct Member {
+        std::uint32_t point = 0, task = 0;
+        std::uint32_t whole = 0;        // samples
+        float of_all = 0, of_last = 0;  // share of a sample, and of one after the last whole one
+
+        [[nodiscard]] std::uint32_t count() const { return whole + (of_last > 0 ? 1 : 0); }
     };
 
     void plan(std::span<const WeightedSite> sites);
-    void plan_sky(const Fragment& at, Vec3 x, std::span<const WeightedSite> sites);
-    [[nodiscard]] Rgb near_light(std::span<const WeightedSite> sites, const TableCosines& cosines) const;
-    void add_rays(const Fragment& at, Vec3 x, Task& task);
-    void weigh(Task& task) const;
+    void add_sky_rays(std::span<const PlacedFragment> fragments);
+    void add_sender_rays(std::span<const PlacedFragment> fragments);
+    void add_rays(std::span<const PlacedFragment> fragments, NodeId sender);
+    void work_out_form_factors(const PlacedFragment& fragment, const Point& point);
+    void trace();
+    [[nodiscard]] Rgb light_of_models(const PlacedFragment& fragment, const Point& point,
+                                      const TableCosines& cosines) const;
+    void add_near_light(std::span<const PlacedFragment> fragments);
 
     const Solution& solution_;
-    const ClusterPoints& points_;
+    const ClusterPoints& cluster_points_;
     const RayTracer& tracer_;
     Surroundings surroundings_;
-    std::vector<Task> tasks_;
-    std::vector<SkyTask> sky_tasks_;
-    std::vector<Ray> rays_;
-    std::vector<float> weights_;
+    std::vector<Point> points_;
+    std::vector<TableCosines> cosines_;  // per point
+    std::vector<NearPoint> near_;        // per point
+    std::vector<Task> tasks_;            // point by point, by sender in ascending order
+    std::vector<Ray> rays_;              // first those to the sky
+    std::vector<RayOwner> owners_;       // per ray
+    std::size_t sky_rays_ = 0;
+    std::vector<Member> group_;
+    std::vector<SenderSampler> samplers_;  // of the group, unless the sender is a cluster
+    std::vector<std::uint32_t> next_;      // in lists that are merged
     std::vector<std::uint32_t> order_;
     std::vector<std::uint8_t> blocked_;
     GatherCounts counts_;

@@ -56,13 +56,14 @@ void Surroundings::trace() {
         }
         const bool back = dot(world_area_vector(hierarchy.scene(), hit.instance, hit.triangle), rays_[i].direction) > 0;
         const LitPlace lit = lit_place(solution_, hit, back);
-        met_.push_back({cells_[i], lit.place != kNone ? order_.rank(lit.place) : 0, hit.distance, lit.radiosity / kPi});
+        met_.push_back({origins_[i].point, origins_[i].cell, lit.place != kNone ? order_.rank(lit.place) : 0,
+                        hit.distance, lit.radiosity / kPi});
     }
 }
 
 void Surroundings::look_from(std::span<const Receiver> receivers) {
     rays_.clear();
-    cells_.clear();
+    origins_.clear();
     seen_.assign(kSiteCells, Seen::kNothing);
     std::size_t next = 0;
     for (const auto& [cell, direction] : site_directions_) {
@@ -70,7 +71,7 @@ void Surroundings::look_from(std::span<const Receiver> receivers) {
             const Receiver& receiver = receivers[next++ % receivers.size()];
             if (receiver.faces(direction)) {
                 rays_.push_back({receiver.position, direction, 0, kInfinity});
-                cells_.push_back(cell);
+                origins_.push_back({0, cell});
                 seen_[cell] = Seen::kSky;
                 break;
             }
@@ -122,13 +123,15 @@ TableCellSet Surroundings::near_cells(float distance) const {
     return cells;
 }
 
-void Surroundings::look_near(Vec3 position, Vec3 normal, const TableCellSet& cells, float reach) {
+void Surroundings::look_near(std::span<const NearPoint> points) {
     rays_.clear();
-    cells_.clear();
+    origins_.clear();
     for (const auto& [cell, direction] : near_directions_) {
-        if (cells[cell] && dot(direction, normal) > 0) {
-            rays_.push_back({position, direction, 0, reach});
-            cells_.push_back(cell);
+        for (std::uint32_t p = 0; p < points.size(); ++p) {
+            if (points[p].cells[cell] && dot(direction, points[p].normal) > 0) {
+                rays_.push_back({points[p].position, direction, 0, points[p].reach});
+                origins_.push_back({p, cell});
+            }
         }
     }
     trace();

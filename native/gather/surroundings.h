@@ -35,10 +35,18 @@ struct Reach {
     }
 };
 
+// A point that looks at what is near.
+struct NearPoint {
+    Vec3 position{0.0F}, normal{0.0F};
+    TableCellSet cells;  // directions
+    float reach = 0;     // m
+};
+
 struct Met {
-    std::uint32_t cell = 0;  // of the directions that were asked for
-    std::uint32_t rank = 0;  // of the place that was hit
-    float distance = 0;      // m
+    std::uint32_t point = 0;  // of those that look at what is near
+    std::uint32_t cell = 0;   // of the directions that were asked for
+    std::uint32_t rank = 0;   // of the place that was hit
+    float distance = 0;       // m
     Rgb radiance{0.0F};
 };
 
@@ -63,8 +71,9 @@ class Surroundings {
     // Table cells in which something was nearer than that, m.
     [[nodiscard]] TableCellSet near_cells(float distance) const;
 
-    // Into a fixed direction of each of these table cells, as far as the reach, m; Met::cell: of the table.
-    void look_near(Vec3 position, Vec3 normal, const TableCellSet& cells, float reach);
+    // Into a fixed direction of each of their cells, as far as their reach; Met::cell: of the table. Points that are
+    // neighbours send parallel rays together.
+    void look_near(std::span<const NearPoint> points);
 
   private:
     void trace();
@@ -79,7 +88,10 @@ class Surroundings {
     // Of the site's and the table's cells, neighbours next to one another: their rays take similar ways.
     std::vector<Direction> site_directions_, near_directions_;
     std::vector<Ray> rays_;
-    std::vector<std::uint32_t> cells_;  // per ray
+    struct Origin {
+        std::uint32_t point = 0, cell = 0;
+    };
+    std::vector<Origin> origins_;  // per ray
     std::vector<Hit> hits_;
     std::vector<Met> met_;
     std::vector<Seen> seen_;

@@ -72,8 +72,8 @@ TEST_F(FragmentsTest, the_border_of_what_shines_has_more_samples) {
     for (std::uint32_t x = 0; x < kSize; ++x) {
         const std::uint32_t samples = tile.pixels[8 * kSize + x].samples;
         const bool border = x == kSize / 2 - 1 || x == kSize / 2;
-        const bool far = x + 3 < kSize / 2 || x > kSize / 2 + 2;
-        EXPECT_TRUE(border ? samples == 64 : (!far || samples == 16)) << x << ' ' << samples;
+        const bool far = x + 4 < kSize / 2 || x > kSize / 2 + 3;  // the filter reaches into them
+        EXPECT_TRUE(border ? samples == 128 : (!far || samples == 16)) << x << ' ' << samples;
     }
     // The wall covers what lies beyond 0.01 of the middle: 0.16 of a pixel.
     float covered = 0;
@@ -106,6 +106,15 @@ TEST_F(FragmentsTest, parts_of_a_fragment_are_all_of_it) {
         most = std::max(most, parts.size());
     }
     EXPECT_EQ(most, 4U);
+}
+
+// Sixteen samples, a part each.
+TEST_F(FragmentsTest, parts_are_divided_down_to_samples) {
+    const TileFragments tile = trace();
+    const std::size_t pixel = 8 * kSize + 12;
+    ASSERT_EQ(tile.pixels[pixel].samples, 16U);
+    EXPECT_EQ(divide_pixel(view(), tile, pixel, 4).size(), 16U);
+    EXPECT_EQ(divide_pixel(view(), tile, pixel, 6).size(), 16U);
 }
 
 // The four parts of a pixel lie in its four quarters.

@@ -49,6 +49,14 @@ struct Gathered {
     Shader shader() { return {*solution, order, points, *prepared.tracer}; }
 };
 
+Rgb light_at(Shader& shader, const Fragment& at, std::span<const WeightedSite> sites) {
+    PlacedFragment placed{at, {}, static_cast<std::uint32_t>(sites.size())};
+    std::copy(sites.begin(), sites.end(), placed.around.begin());
+    Rgb light(0.0F);
+    shader.shade(std::span(&placed, 1), std::span(&light, 1));
+    return light;
+}
+
 // Every face emits 1 W/m2 and reflects half: 2 W/m2 fall everywhere.
 TEST(FullGatherTest, furnace_is_even) {
     Gathered room(furnace(0.5F, true));
@@ -94,7 +102,7 @@ TEST(GridGatherTest, threshold_zero_is_the_full_gather) {
         const Site site = classifier.classify(std::span(&receiver, 1));
         const WeightedSite weighted{&site, 1};
         const float expected = luminance(full.irradiance(at, 1));
-        const float ratio = luminance(shader.irradiance(at, std::span(&weighted, 1))) / expected;
+        const float ratio = luminance(light_at(shader, at, std::span(&weighted, 1))) / expected;
         EXPECT_NEAR(ratio, 1, 0.06F) << wall;  // many senders have one ray
         mean += ratio / 6;
     }
@@ -112,13 +120,37 @@ TEST(GridGatherTest, a_higher_threshold_takes_fewer_rays) {
         Shader shader = room.shader();
         const Site site = classifier.classify(std::span(&receiver, 1));
         const WeightedSite weighted{&site, 1};
-        const float light = luminance(shader.irradiance(at, std::span(&weighted, 1)));
+        const float light = luminance(light_at(shader, at, std::span(&weighted, 1)));
         exact = threshold == 0 ? light : exact;
         EXPECT_NEAR(light / exact, 1, threshold < 1 ? 0.03F : 0.1F) << threshold;
         EXPECT_LT(shader.counts().visibility_rays, before);
         before = shader.counts().visibility_rays;
     }
     EXPECT_EQ(before, 0U);
+}
+
+// Rays that go together say what they say alone.
+TEST(GridGatherTest, points_together_have_the_light_they_have_alone) {
+    Gathered room(lamp_room(0.5F));
+    Classifier classifier = room.classifier(0.003F);
+    Shader shader = room.shader();
+    std::array<Site, 3> sites;
+    std::vector<PlacedFragment> placed;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        const Fragment at = fragment_at(room.prepared.scene, k, 0, {0.3F, 0.25F});
+        const Receiver receiver = receiver_at(*room.solution, at);
+        sites[k] = classifier.classify(std::span(&receiver, 1));
+        EXPECT_GT(sites[k].senders.size(), 3U);
+    }
+    for (std::uint32_t k = 0; k < 6; ++k) {
+        const Fragment at = fragment_at(room.prepared.scene, k / 2, 0, {0.3F, 0.2F + 0.1F * static_cast<float>(k % 2)});
+        placed.push_back({at, {WeightedSite{&sites[k / 2], 0.75F}, WeightedSite{&sites[2], 0.25F}}, 2});
+    }
+    std::vector<Rgb> together(placed.size());
+    shader.shade(placed, together);
+    for (std::size_t k = 0; k < placed.size(); ++k) {
+        EXPECT_NEAR(luminance(light_at(shader, placed[k].at, placed[k].sites()) / together[k]), 1, 1e-5F) << k;
+    }
 }
 
 // From one site to another: both ends are the sites' own models, and no step is a jump.
@@ -138,7 +170,7 @@ TEST(GridGatherTest, blends_are_continuous) {
         const float t = static_cast<float>(i) / kSteps;
         const Fragment at = fragment_at(room.prepared.scene, 4, 0, {0.2F + 0.3F * t, 0.2F});
         const std::array<WeightedSite, 2> around{WeightedSite{&sites[0], 1 - t}, WeightedSite{&sites[1], t}};
-        const float now = luminance(shader.irradiance(at, around));
+        const float now = luminance(light_at(shader, at, around));
         largest = i > 0 ? std::max(largest, std::abs(now - before)) : 0;
         before = now;
         mean += now / kSteps;
@@ -163,7 +195,7 @@ TEST(GridGatherTest, one_site_knows_a_shadow_that_falls_across_it) {
     float least = kInfinity, most = 0, worst = 0, mean = 0;
     for (const Fragment& at : points) {
         const float expected = luminance(full.irradiance(at, 1));
-        const float found = luminance(shader.irradiance(at, std::span(&weighted, 1)));
+        const float found = luminance(light_at(shader, at, std::span(&weighted, 1)));
         least = std::min(least, expected);
         most = std::max(most, expected);
         worst = std::max(worst, std::abs(found / expected - 1));

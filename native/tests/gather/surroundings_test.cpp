@@ -89,16 +89,23 @@ TEST(Surroundings, what_is_apart_brings_nothing) {
 
 TEST(Surroundings, near_rays_end_at_their_reach) {
     Around room;
-    TableCellSet all;
-    all.set();
-    room.surroundings.look_near(room.floor.position, room.floor.normal, all, 0.9F);
+    NearPoint point{room.floor.position, room.floor.normal, {}, 0.9F};
+    point.cells.set();
+    room.surroundings.look_near(std::span(&point, 1));
     EXPECT_TRUE(room.surroundings.met().empty());
-    room.surroundings.look_near(room.floor.position, room.floor.normal, all, 10);
+    point.reach = 10;
+    room.surroundings.look_near(std::span(&point, 1));
     EXPECT_EQ(room.surroundings.met().size(), room.surroundings.ray_count());
     for (const Met& met : room.surroundings.met()) {
         EXPECT_GT(met.distance, 0.99F);
     }
-    room.surroundings.look_near(room.floor.position, room.floor.normal, {}, 10);
+    const std::array<NearPoint, 3> three{point, point, point};
+    const std::size_t of_one = room.surroundings.ray_count();
+    room.surroundings.look_near(three);
+    EXPECT_EQ(room.surroundings.ray_count(), 3 * of_one);
+    EXPECT_EQ(room.surroundings.met()[4].point, 1U);
+    point.cells.reset();
+    room.surroundings.look_near(std::span(&point, 1));
     EXPECT_EQ(room.surroundings.ray_count(), 0U);
 }
 
