@@ -27,4 +27,10 @@ struct GatherCounts {
     }
 };
 
+// What one point took.
+struct PointCounts {
+    std::uint32_t visibility_rays = 0;  // to senders, the sky and what is near
+    std::uint32_t form_factors = 0, senders = 0;
+};
+
 }  // namespace gg

@@ -29,33 +29,10 @@ float step_to(const Fragment& fragment, Rgb light, const TileFragments& other, c
 
 }  // namespace
 
-PixelMap::PixelMap(std::span<const TileFragments> tiles) {
-    for (const TileFragments& tile : tiles) {
-        width_ = std::max(width_, tile.tile.x + tile.tile.width);
-        height_ = std::max(height_, tile.tile.y + tile.tile.height);
-    }
-    pixels_.resize(std::size_t{width_} * height_);
-    for (std::uint32_t t = 0; t < tiles.size(); ++t) {
-        const Rectangle& r = tiles[t].tile;
-        for (std::uint32_t p = 0; p < r.width * r.height; ++p) {
-            pixels_[std::size_t{r.y + p / r.width} * width_ + r.x + p % r.width] = {t, p};
-        }
-    }
-}
-
-const PixelMap::Pixel* PixelMap::at(std::int64_t x, std::int64_t y) const {
-    if (x < 0 || y < 0 || x >= width_ || y >= height_) {
-        return nullptr;
-    }
-    return &pixels_[static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x)];
-}
-
-std::vector<JumpingFragment> PixelMap::jumps_in(std::size_t tile, std::span<const TileFragments> tiles,
-                                                std::span<const TileLight> light) const {
-    const TileFragments& own = tiles[tile];
+std::vector<JumpingFragment> jumps_in(const PixelMap& map, std::size_t tile, std::span<const TileLight> light) {
+    const TileFragments& own = map.tiles()[tile];
     std::vector<JumpingFragment> found;
     for (std::uint32_t p = 0; p < own.pixels.size(); ++p) {
-        const std::int64_t x = own.tile.x + p % own.tile.width, y = own.tile.y + p / own.tile.width;
         const std::uint32_t begin = own.begin_of(p), end = own.pixels[p].end;
         float seen = kPi * luminance(own.pixels[p].emitted);
         for (std::uint32_t f = begin; f < end; ++f) {
@@ -64,8 +41,8 @@ std::vector<JumpingFragment> PixelMap::jumps_in(std::size_t tile, std::span<cons
         for (std::uint32_t f = begin; f < end; ++f) {
             float step = 0;
             for (const auto& [dx, dy] : {std::array{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
-                if (const Pixel* beside = at(x + dx, y + dy)) {
-                    step = std::max(step, step_to(own.fragments[f], light[tile][f], tiles[beside->tile],
+                if (const PixelMap::Pixel* beside = map.beside(tile, p, dx, dy)) {
+                    step = std::max(step, step_to(own.fragments[f], light[tile][f], map.tiles()[beside->tile],
                                                   light[beside->tile], beside->index));
                 }
             }

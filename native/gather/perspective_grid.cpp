@@ -44,18 +44,27 @@ float PerspectiveGrid::layer(float depth) const {
     return 0;
 }
 
-GridPlace PerspectiveGrid::place(Vec3 point) const {
+PerspectiveGrid::InCell PerspectiveGrid::locate(Vec3 point) const {
     const Vec3 seen = camera_.project(point);
     const Vec3 grid(seen.x / settings_.cell + kMargin, seen.y / settings_.cell + kMargin,
                     layer(seen.z) * static_cast<float>(count_[2] - 1));
-    std::array<std::uint32_t, 3> cell{};
-    Vec3 inside(0.0F);
+    InCell result;
     for (int axis = 0; axis < 3; ++axis) {
         const auto last = static_cast<float>(count_[axis] - 1);
         const float at = std::clamp(grid[axis], 0.0F, last);
-        cell[axis] = std::min(static_cast<std::uint32_t>(at), count_[axis] - 2);
-        inside[axis] = at - static_cast<float>(cell[axis]);
+        result.cell[axis] = std::min(static_cast<std::uint32_t>(at), count_[axis] - 2);
+        result.inside[axis] = at - static_cast<float>(result.cell[axis]);
     }
+    return result;
+}
+
+std::uint32_t PerspectiveGrid::cell_at(Vec3 point) const {
+    const auto& cell = locate(point).cell;
+    return (cell[2] * count_[1] + cell[1]) * count_[0] + cell[0];
+}
+
+GridPlace PerspectiveGrid::place(Vec3 point) const {
+    const auto [cell, inside] = locate(point);
     const CubePlace cube = place_in_cube(inside, ((cell[0] + cell[1] + cell[2]) & 1U) != 0);
     GridPlace result;
     for (int k = 0; k < 4; ++k) {

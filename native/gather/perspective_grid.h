@@ -35,9 +35,16 @@ class PerspectiveGrid {
 
     // Points outside of the grid belong to its outermost cells, at their nearest point.
     [[nodiscard]] GridPlace place(Vec3 point) const;
+    // The cell that it lies in, counted through.
+    [[nodiscard]] std::uint32_t cell_at(Vec3 point) const;
     [[nodiscard]] std::uint32_t vertex_count() const { return count_[0] * count_[1] * count_[2]; }
 
   private:
+    struct InCell {
+        std::array<std::uint32_t, 3> cell{};
+        Vec3 inside{0.0F};  // 0..1
+    };
+    [[nodiscard]] InCell locate(Vec3 point) const;
     [[nodiscard]] float layer(float depth) const;
 
     PixelCamera camera_;

@@ -1,7 +1,6 @@
 #include "gather/render_gather.h"
 
-#include <array>
-#include <atomic>
+#include <memory>
 #include <mutex>
 #include <span>
 #include <vector>
@@ -12,7 +11,7 @@
 #include "gather/classify.h"
 #include "gather/full_gather.h"
 #include "gather/grid_sites.h"
-#include "gather/light_jumps.h"
+#include "gather/light_tiles.h"
 #include "gather/shade.h"
 
 namespace gg {
@@ -22,7 +21,6 @@ namespace {
 constexpr int kFullSamples = 256;
 constexpr float kCellsAcross = 17.5F;  // along the short side of a picture
 constexpr std::size_t kSitesAtOnce = 64;
-constexpr std::size_t kFragmentsAtOnce = 32;  // neighbours, whose rays go together
 constexpr int kHalvings = 2;                  // of fragments in which light jumps
 constexpr float kQuartersJump = 0.5F;         // of the pixel's light, between parts that are divided further
 
@@ -40,142 +38,48 @@ std::vector<TileFragments> trace_tiles(const View& view, const Film& film, Contr
     return tiles;
 }
 
-void report(const GatherCounts& total, Statistics& statistics) {
-    statistics.set_count("gathered points", static_cast<double>(total.points));
-    statistics.set_count("resampled senders", static_cast<double>(total.senders));
-    statistics.set_count("form factors", static_cast<double>(total.form_factors));
-    statistics.set_count("visibility rays", static_cast<double>(total.visibility_rays));
-    statistics.set_count("near rays", static_cast<double>(total.near_rays));
-}
+class FullGatherer : public Gatherer {
+  public:
+    FullGatherer(const Solution& solution, const NodeOrder& order, const ClusterPoints& points,
+                 const RayTracer& tracer)
+        : solution_(solution), gather_(solution, order, points, tracer, kFullSamples) {}
 
-// Works out the mean light over the parts of a fragment. Returns how much it differs between them, as the picture would
-// show it if each were the whole fragment.
-template <typename Gatherer>
-float light_of_parts(std::span<const FragmentPart> parts, std::uint32_t fragment, Gatherer& gatherer, Rgb& mean) {
-    std::vector<Fragment> own;
-    for (const FragmentPart& part : parts) {
-        if (part.fragment == fragment) {
-            own.push_back(part.at);
-        }
-    }
-    TileLight light(own.size());
-    gatherer.shade(own, light);
-    Rgb reflected(0.0F), albedo(0.0F), least(kInfinity), most(0.0F);
-    for (std::size_t i = 0; i < own.size(); ++i) {
-        reflected += own[i].albedo * light[i];
-        albedo += own[i].albedo;
-        least = glm::min(least, light[i]);
-        most = glm::max(most, light[i]);
-    }
-    mean = reflected / glm::max(albedo, Rgb(1e-20F));
-    return luminance(albedo * (most - least));
-}
-
-// The light of a fragment as the mean over its parts, for all of `jumps` that are of its pixel; where its quarters
-// differ much, over parts of these.
-template <typename Gatherer>
-void light_parts(const View& view, const TileFragments& tile, std::span<const JumpingFragment> jumps,
-                 Gatherer& gatherer, TileLight& light) {
-    const std::size_t pixel = jumps.front().pixel;
-    float seen = kPi * luminance(tile.pixels[pixel].emitted);
-    for (std::uint32_t f = tile.begin_of(pixel); f < tile.pixels[pixel].end; ++f) {
-        seen += luminance(tile.fragments[f].albedo * light[f]);
-    }
-    const std::vector<FragmentPart> quarters = divide_pixel(view, tile, pixel, kHalvings);
-    std::vector<FragmentPart> smaller;
-    for (const JumpingFragment& jump : jumps) {
-        Rgb& mean = light[tile.begin_of(pixel) + jump.fragment];
-        const float step = light_of_parts(quarters, jump.fragment, gatherer, mean);
-        if (step > kQuartersJump * seen) {
-            if (smaller.empty()) {
-                smaller = divide_pixel(view, tile, pixel, 2 * kHalvings);
-            }
-            light_of_parts(smaller, jump.fragment, gatherer, mean);
-        }
-    }
-}
-
-// Fills the film: gatherers from make(), one for each thread at a time, say what light falls on fragments.
-template <typename Make>
-ViewCounts shade_tiles(const View& view, std::span<const TileFragments> tiles, const Make& make, Film& film,
-                       Control& control, Statistics& statistics) {
-    const StageTimer timer(statistics, "shading");
-    std::mutex mutex;
-    GatherCounts total;
-    std::atomic<std::uint32_t> finished{0};
-    const auto step = [&](auto& gatherer) {
-        const std::scoped_lock lock(mutex);
-        total += gatherer.counts();
-        control.set_stage_progress(static_cast<float>(++finished) / static_cast<float>(2 * tiles.size()));
-    };
-    std::vector<TileLight> light(tiles.size());
-    parallel_for(tiles.size(), 1, control, [&](std::size_t i) {
-        auto gatherer = make();
-        light[i].resize(tiles[i].fragments.size());
-        for (std::size_t begin = 0; begin < light[i].size(); begin += kFragmentsAtOnce) {
-            control.check_cancel();
-            const std::size_t count = std::min(kFragmentsAtOnce, light[i].size() - begin);
-            gatherer.shade(std::span(tiles[i].fragments).subspan(begin, count),
-                           std::span(light[i]).subspan(begin, count));
-        }
-        step(gatherer);
-    });
-    std::atomic<std::uint64_t> dropped{0}, divided{0};
-    const PixelMap map(tiles);
-    parallel_for(tiles.size(), 1, control, [&](std::size_t i) {
-        auto gatherer = make();
-        TileLight own = light[i];
-        const std::vector<JumpingFragment> jumps = map.jumps_in(i, tiles, light);
-        for (std::size_t begin = 0, end = 0; begin < jumps.size(); begin = end) {
-            control.check_cancel();
-            while (end < jumps.size() && jumps[end].pixel == jumps[begin].pixel) {
-                ++end;
-            }
-            light_parts(view, tiles[i], std::span(jumps).subspan(begin, end - begin), gatherer, own);
-        }
-        divided += jumps.size();
-        std::vector<Rgba> pixels(tiles[i].pixels.size());
-        dropped += resolve_tile(view, tiles[i], own, pixels);
-        film.finish_tile(static_cast<std::uint32_t>(i), pixels);
-        step(gatherer);
-    });
-    report(total, statistics);
-    statistics.set_count("fragments divided", static_cast<double>(divided));
-    const std::uint64_t pixels = std::uint64_t{view.settings.crop.width} * view.settings.crop.height;
-    return {pixels * view.settings.samples, dropped};
-}
-
-struct FullGatherer {
-    const Solution& solution;
-    FullGather gather;
-
-    void shade(std::span<const Fragment> fragments, std::span<Rgb> light) {
+    void shade(std::span<const Fragment> fragments, std::span<Rgb> light, std::span<PointCounts> taken) override {
         for (std::size_t i = 0; i < fragments.size(); ++i) {
-            light[i] = gather.irradiance(fragments[i], expected_irradiance(solution, fragments[i]));
+            const GatherCounts before = gather_.counts();
+            light[i] = gather_.irradiance(fragments[i], expected_irradiance(solution_, fragments[i]));
+            const GatherCounts& now = gather_.counts();
+            taken[i] = {static_cast<std::uint32_t>(now.visibility_rays + now.near_rays - before.visibility_rays -
+                                                   before.near_rays),
+                        static_cast<std::uint32_t>(now.form_factors - before.form_factors),
+                        static_cast<std::uint32_t>(now.senders - before.senders)};
         }
     }
-    [[nodiscard]] const GatherCounts& counts() const { return gather.counts(); }
+    [[nodiscard]] const GatherCounts& counts() const override { return gather_.counts(); }
+    [[nodiscard]] std::uint32_t cell_of(const Fragment&) const override { return 0; }
+
+  private:
+    const Solution& solution_;
+    FullGather gather_;
 };
 
-struct GridGatherer {
-    const PerspectiveGrid& grid;
-    const GridReceivers& receivers;
-    const std::vector<Site>& sites;
-    Shader shader;
+class GridGatherer : public Gatherer {
+  public:
+    GridGatherer(const PerspectiveGrid& grid, const GridReceivers& receivers, std::span<const Site> sites,
+                 const Shader& shader)
+        : grid_(grid), receivers_(receivers), sites_(sites), shader_(shader) {}
 
-    std::vector<PlacedFragment> placed;
-
-    void shade(std::span<const Fragment> fragments, std::span<Rgb> light) {
-        placed.clear();
+    void shade(std::span<const Fragment> fragments, std::span<Rgb> light, std::span<PointCounts> taken) override {
+        placed_.clear();
         for (const Fragment& at : fragments) {
-            placed.push_back({at, {}, 0});
-            PlacedFragment& here = placed.back();
-            const GridPlace place = grid.place(at.position);
+            placed_.push_back({at, {}, 0});
+            PlacedFragment& here = placed_.back();
+            const GridPlace place = grid_.place(at.position);
             float sum = 0;
             for (int k = 0; k < 4; ++k) {
-                const std::uint32_t site = receivers.site_at(place.vertices[k]);
+                const std::uint32_t site = receivers_.site_at(place.vertices[k]);
                 if (place.weights[k] > 0 && site != kNone) {
-                    here.around[here.count++] = {&sites[site], place.weights[k]};
+                    here.around[here.count++] = {&sites_[site], place.weights[k]};
                     sum += place.weights[k];
                 }
             }
@@ -183,9 +87,19 @@ struct GridGatherer {
                 here.around[k].weight /= sum;
             }
         }
-        shader.shade(placed, light);
+        shader_.shade(placed_, light, taken);
     }
-    [[nodiscard]] const GatherCounts& counts() const { return shader.counts(); }
+    [[nodiscard]] const GatherCounts& counts() const override { return shader_.counts(); }
+    [[nodiscard]] std::uint32_t cell_of(const Fragment& fragment) const override {
+        return grid_.cell_at(fragment.position);
+    }
+
+  private:
+    const PerspectiveGrid& grid_;
+    const GridReceivers& receivers_;
+    std::span<const Site> sites_;
+    Shader shader_;
+    std::vector<PlacedFragment> placed_;
 };
 
 }  // namespace
@@ -195,8 +109,8 @@ ViewCounts full_gather(const Solution& solution, const View& view, Film& film, C
     const std::vector<TileFragments> tiles = trace_tiles(view, film, control, statistics);
     const ClusterPoints points(solution, control);
     const NodeOrder order(hierarchy_of(solution));
-    const auto make = [&] { return FullGatherer{solution, {solution, order, points, view.tracer, kFullSamples}}; };
-    return shade_tiles(view, tiles, make, film, control, statistics);
+    const auto make = [&] { return std::make_unique<FullGatherer>(solution, order, points, view.tracer); };
+    return light_tiles(view, tiles, make, film, control, statistics);
 }
 
 ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t width, std::uint32_t height,
@@ -233,8 +147,9 @@ ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t
         statistics.set_count("senders resampled: visibility", static_cast<double>(total.only_visibility));
         statistics.set_count("senders resampled: form factor", static_cast<double>(total.only_form_factor));
     }
-    const auto make = [&] { return GridGatherer{grid, receivers, sites, {solution, order, points, view.tracer}, {}}; };
-    return shade_tiles(view, tiles, make, film, control, statistics);
+    const Shader shader(solution, order, points, view.tracer);
+    const auto make = [&] { return std::make_unique<GridGatherer>(grid, receivers, sites, shader); };
+    return light_tiles(view, tiles, make, film, control, statistics);
 }
 
 }  // namespace gg

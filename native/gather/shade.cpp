@@ -84,7 +84,7 @@ void Shader::add_sky_rays(std::span<const PlacedFragment> fragments) {
             const float cosine = dot(direction, at.shading_normal);
             if (weight > 0 && cosine > 0 && dot(direction, at.normal) > 0) {
                 rays_.push_back({points_[p].x, direction, 0, kInfinity});
-                owners_.push_back({p, weight * cosine});
+                owners_.push_back({p, kNone, weight * cosine});
             }
         }
     });
@@ -139,7 +139,7 @@ void Shader::add_rays(std::span<const PlacedFragment> fragments, NodeId sender) 
         const float weight = to.weight * (i < member.whole ? member.of_all : member.of_last);
         if (weight > 0 && dot(to.direction, fragments[member.point].at.normal) > 0) {
             rays_.push_back({points_[member.point].x, to.direction, 0, to.infinite ? kInfinity : kAlmost});
-            owners_.push_back({member.task, weight});
+            owners_.push_back({member.point, member.task, weight});
         }
     };
     if (cluster) {
@@ -165,7 +165,7 @@ void Shader::add_rays(std::span<const PlacedFragment> fragments, NodeId sender) 
     }
 }
 
-void Shader::work_out_form_factors(const PlacedFragment& fragment, const Point& point) {
+void Shader::work_out_form_factors(const PlacedFragment& fragment, Point& point) {
     for (Task& task : std::span(tasks_).subspan(point.first_task, point.end_task - point.first_task)) {
         if (!task.form_factor) {
             continue;
@@ -179,7 +179,7 @@ void Shader::work_out_form_factors(const PlacedFragment& fragment, const Point& 
         } else {
             task.unoccluded = unoccluded_irradiance(solution_, task.sender, point.x, fragment.at.shading_normal);
         }
-        ++counts_.form_factors;
+        ++point.taken.form_factors;
     }
 }
 
@@ -187,11 +187,14 @@ void Shader::trace() {
     blocked_.resize(rays_.size());
     tracer_.occluded(rays_, blocked_, RayMask::kLight, Coherence::kCoherent);
     const Rgb world = hierarchy_of(solution_).scene().world;
+    for (const RayOwner& owner : owners_) {
+        ++points_[owner.point].taken.visibility_rays;
+    }
     for (std::size_t k = 0; k < sky_rays_; ++k) {
-        points_[owners_[k].owner].light += blocked_[k] ? Rgb(0.0F) : owners_[k].weight * world;
+        points_[owners_[k].point].light += blocked_[k] ? Rgb(0.0F) : owners_[k].weight * world;
     }
     for (std::size_t k = sky_rays_; k < rays_.size(); ++k) {
-        Task& task = tasks_[owners_[k].owner];
+        Task& task = tasks_[owners_[k].task];
         task.sent += owners_[k].weight;
         task.seen += blocked_[k] ? 0.0F : owners_[k].weight;
     }
@@ -231,6 +234,9 @@ void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
     }
     surroundings_.look_near(near_);
     counts_.near_rays += surroundings_.ray_count();
+    for (const RayOrigin& origin : surroundings_.origins()) {
+        ++points_[origin.point].taken.visibility_rays;
+    }
     for (const Met& met : surroundings_.met()) {
         for (const WeightedSite& weighted : fragments[met.point].sites()) {
             const Site& site = *weighted.site;
@@ -244,7 +250,7 @@ void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
     }
 }
 
-void Shader::shade(std::span<const PlacedFragment> fragments, std::span<Rgb> light) {
+void Shader::shade(std::span<const PlacedFragment> fragments, std::span<Rgb> light, std::span<PointCounts> taken) {
     points_.clear();
     tasks_.clear();
     cosines_.clear();
@@ -256,6 +262,7 @@ void Shader::shade(std::span<const PlacedFragment> fragments, std::span<Rgb> lig
         point.first_task = static_cast<std::uint32_t>(tasks_.size());
         plan(fragment.sites());
         point.end_task = static_cast<std::uint32_t>(tasks_.size());
+        point.taken.senders = point.end_task - point.first_task;
         work_out_form_factors(fragment, point);
         points_.push_back(point);
         cosines_.emplace_back(fragment.at.shading_normal);
@@ -269,6 +276,8 @@ void Shader::shade(std::span<const PlacedFragment> fragments, std::span<Rgb> lig
     add_near_light(fragments);
     for (std::size_t p = 0; p < fragments.size(); ++p) {
         light[p] = points_[p].light;
+        taken[p] = points_[p].taken;
+        counts_.form_factors += taken[p].form_factors;
     }
     counts_.points += fragments.size();
     counts_.senders += tasks_.size();

@@ -34,8 +34,8 @@ class Shader {
   public:
     Shader(const Solution& solution, const NodeOrder& order, const ClusterPoints& points, const RayTracer& tracer);
 
-    // light: irradiance of each, W/m2.
-    void shade(std::span<const PlacedFragment> fragments, std::span<Rgb> light);
+    // light: irradiance of each, W/m2. taken: what each took.
+    void shade(std::span<const PlacedFragment> fragments, std::span<Rgb> light, std::span<PointCounts> taken);
     [[nodiscard]] const GatherCounts& counts() const { return counts_; }
 
   private:
@@ -54,10 +54,11 @@ class Shader {
         Vec3 x{0.0F};  // where its rays start
         std::uint32_t first_task = 0, end_task = 0;
         Rgb light{0.0F};
+        PointCounts taken;
     };
 
     struct RayOwner {
-        std::uint32_t owner = 0;  // task, or of the sky's rays point
+        std::uint32_t point = 0, task = 0;  // no task: of the sky's rays
         float weight = 0;
     };
 
@@ -74,7 +75,7 @@ class Shader {
     void add_sky_rays(std::span<const PlacedFragment> fragments);
     void add_sender_rays(std::span<const PlacedFragment> fragments);
     void add_rays(std::span<const PlacedFragment> fragments, NodeId sender);
-    void work_out_form_factors(const PlacedFragment& fragment, const Point& point);
+    void work_out_form_factors(const PlacedFragment& fragment, Point& point);
     void trace();
     [[nodiscard]] Rgb light_of_models(const PlacedFragment& fragment, const Point& point,
                                       const TableCosines& cosines) const;

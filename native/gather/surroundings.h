@@ -42,6 +42,10 @@ struct NearPoint {
     float reach = 0;     // m
 };
 
+struct RayOrigin {
+    std::uint32_t point = 0, cell = 0;  // as of Met
+};
+
 struct Met {
     std::uint32_t point = 0;  // of those that look at what is near
     std::uint32_t cell = 0;   // of the directions that were asked for
@@ -63,6 +67,7 @@ class Surroundings {
     [[nodiscard]] std::span<const Met> met() const { return met_; }
     [[nodiscard]] std::span<const Seen> seen() const { return seen_; }
     [[nodiscard]] std::size_t ray_count() const { return rays_.size(); }
+    [[nodiscard]] std::span<const RayOrigin> origins() const { return origins_; }  // of the rays
 
     // Adds what was met to the table: but for what lies in `apart` and, if reach is not 0, for what is near, unless
     // nothing else was met in a cell.
@@ -88,10 +93,7 @@ class Surroundings {
     // Of the site's and the table's cells, neighbours next to one another: their rays take similar ways.
     std::vector<Direction> site_directions_, near_directions_;
     std::vector<Ray> rays_;
-    struct Origin {
-        std::uint32_t point = 0, cell = 0;
-    };
-    std::vector<Origin> origins_;  // per ray
+    std::vector<RayOrigin> origins_;  // per ray
     std::vector<Hit> hits_;
     std::vector<Met> met_;
     std::vector<Seen> seen_;

@@ -53,7 +53,8 @@ Rgb light_at(Shader& shader, const Fragment& at, std::span<const WeightedSite> s
     PlacedFragment placed{at, {}, static_cast<std::uint32_t>(sites.size())};
     std::copy(sites.begin(), sites.end(), placed.around.begin());
     Rgb light(0.0F);
-    shader.shade(std::span(&placed, 1), std::span(&light, 1));
+    PointCounts taken;
+    shader.shade(std::span(&placed, 1), std::span(&light, 1), std::span(&taken, 1));
     return light;
 }
 
@@ -147,7 +148,8 @@ TEST(GridGatherTest, points_together_have_the_light_they_have_alone) {
         placed.push_back({at, {WeightedSite{&sites[k / 2], 0.75F}, WeightedSite{&sites[2], 0.25F}}, 2});
     }
     std::vector<Rgb> together(placed.size());
-    shader.shade(placed, together);
+    std::vector<PointCounts> taken(placed.size());
+    shader.shade(placed, together, taken);
     for (std::size_t k = 0; k < placed.size(); ++k) {
         EXPECT_NEAR(luminance(light_at(shader, placed[k].at, placed[k].sites()) / together[k]), 1, 1e-5F) << k;
     }

@@ -31,7 +31,7 @@ struct Row {
         const PixelMap map(tiles);
         std::vector<std::uint32_t> places;
         for (std::size_t t = 0; t < 2; ++t) {
-            for (const JumpingFragment& jump : map.jumps_in(t, tiles, light)) {
+            for (const JumpingFragment& jump : jumps_in(map, t, light)) {
                 EXPECT_EQ(jump.fragment, 0U);
                 places.push_back(tiles[t].tile.x + jump.pixel);
             }

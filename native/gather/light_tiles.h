@@ -1,0 +1,36 @@
+// From fragments to pixels: light at every fragment, and at parts of theirs where it jumps.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "film/film.h"
+#include "film/fragments.h"
+#include "film/solution_view.h"
+#include "gather/gather_counts.h"
+
+namespace gg {
+
+class Control;
+class Statistics;
+
+// Works out light; for one thread.
+class Gatherer {
+  public:
+    virtual ~Gatherer() = default;
+
+    // Neighbours are faster together. light: irradiance of each, W/m2; taken: what each took.
+    virtual void shade(std::span<const Fragment> fragments, std::span<Rgb> light, std::span<PointCounts> taken) = 0;
+    [[nodiscard]] virtual const GatherCounts& counts() const = 0;  // of all that it did
+    // The cell of the grid that a fragment lies in, 0 without a grid.
+    [[nodiscard]] virtual std::uint32_t cell_of(const Fragment& fragment) const = 0;
+};
+
+// Fills the film and its passes. tiles: of the film, in its order. make: called once for each tile and thread.
+// Reports stage progress. Throws Cancelled.
+ViewCounts light_tiles(const View& view, std::span<const TileFragments> tiles,
+                       const std::function<std::unique_ptr<Gatherer>()>& make, Film& film, Control& control,
+                       Statistics& statistics);
+
+}  // namespace gg
