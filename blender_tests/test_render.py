@@ -8,9 +8,10 @@ from types import SimpleNamespace
 
 import bpy
 import numpy as np
+import OpenImageIO as oiio
 import pytest
 from building import add, lamp, link, material, quad, surface
-from gridgather import engine, interface, messages
+from gridgather import engine, interface, messages, passes
 from pictures import render_pixels
 
 
@@ -85,6 +86,44 @@ def test_border_is_part_of_the_whole_picture(lit, crop, method, tolerance):
         assert not outside.any()
         part = part[inside]
     assert np.abs(part - whole[inside]).max() <= tolerance * whole[inside].mean()
+
+
+def multilayer(scene) -> dict:
+    """Channels by name, each float32 (height, width), top row first, of an F12 into a multilayer file."""
+    scene.render.engine = "GRIDGATHER"
+    settings = scene.render.image_settings
+    settings.file_format, settings.color_depth = "OPEN_EXR_MULTILAYER", "32"
+    scene.render.filepath = bpy.app.tempdir + "layers.exr"
+    bpy.ops.render.render(write_still=True)
+    picture = oiio.ImageInput.open(scene.render.filepath)  # not from a cache
+    return dict(zip(picture.spec().channelnames, np.moveaxis(picture.read_image(oiio.FLOAT), 2, 0)))
+
+
+def test_diagnostic_passes_tell_what_pixels_took(lit):
+    link(quad("Wall", size=1), "Wall", location=(0, 0, 0.5), rotation_euler=(np.pi / 2, 0, 0))
+    own = lit.view_layers[0].gridgather
+    assert not any("Samples" in channel for channel in multilayer(lit))
+    for name in passes.PROPERTIES:
+        setattr(own, name, True)
+    channels = multilayer(lit)
+    found = {name: channels[f"ViewLayer.{name}.X"] for name in passes.enabled(lit.view_layers[0])}
+    counts = json.loads(lit.gridgather_statistics)["ViewLayer"]["counts"]
+    rays, senders = found["Visibility Samples"], found["Resampled Senders"]
+    assert rays.sum() == counts["visibility rays"] + counts["near rays"] > 0
+    assert found["Form Factor Samples"].sum() == counts["form factors"]
+    assert 0 <= senders.min() and senders.max() <= counts["resampled senders"]
+    lines = found["Cell Lines"]
+    assert set(np.unique(lines)) == {0, 1} and 0.05 < lines.mean() < 0.8
+
+
+def test_passes_stay_with_their_view_layer(lit):
+    second = lit.view_layers.new("Second")
+    second.gridgather.use_cell_lines = True
+    channels = multilayer(lit)
+    assert [name for name in channels if "Cell Lines" in name] == ["Second.Cell Lines.X"]
+    lit.gridgather.method = "SOLUTION"
+    second.gridgather.use_visibility_samples = True
+    assert not multilayer(lit)["Second.Visibility Samples.X"].any()
 
 
 def test_every_view_of_a_stereo_picture_is_filled(lit, tmp_path):
@@ -205,7 +244,7 @@ class FakeRender:
         self.cancelled = True
 
     def copy_finished_tiles(self, pixels):
-        pixels[: self.rows] = 1
+        pixels["Combined"][: self.rows] = 1
         return True
 
 
@@ -214,7 +253,7 @@ def waited(monkeypatch, fake, render):
     got = []
     monkeypatch.setattr(engine, "write_pixels", lambda _, pixels: got.append(pixels.copy()))
     result = SimpleNamespace(layers=[SimpleNamespace(passes=[SimpleNamespace(name="Combined")])])
-    status = engine.GridgatherEngine._wait(fake, render, result, np.zeros((4, 2, 4), np.float32))
+    status = engine.GridgatherEngine._wait(fake, render, result, {"Combined": np.zeros((4, 2, 4), np.float32)})
     return status, got
 
 

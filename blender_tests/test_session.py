@@ -38,7 +38,8 @@ def rendered(scene, settings, camera=None):
         with native.start(camera or above(), settings) as render:
             progress = render.wait(60)
             assert progress.finished and progress.status == interface.OK, render.error()
-            assert render.copy_finished_tiles(pixels) and not render.copy_finished_tiles(pixels)
+            kept = {"Combined": pixels}
+            assert render.copy_finished_tiles(kept) and not render.copy_finished_tiles(kept)
             return pixels, render.statistics(), render.messages()
 
 

@@ -13,9 +13,9 @@ bl_info = {
 
 def _modules():
     """What registers, in this order. Imported only now: the half of the add-on that knows no Blender works without."""
-    from . import engine, messages, node_menu, panels, properties
+    from . import engine, messages, node_menu, panels, passes, properties
 
-    return (messages, properties, engine, panels, node_menu)
+    return (messages, properties, passes, engine, panels, node_menu)
 
 
 def register():

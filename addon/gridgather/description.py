@@ -127,6 +127,7 @@ class Settings:
     exposure: float = 1.0
     film_transparent: bool = False
     threads: int = 0
+    passes: int = 0  # bits, see passes.py
 
 
 @dataclass

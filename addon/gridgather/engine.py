@@ -7,7 +7,7 @@ import traceback
 import bpy
 import numpy as np
 
-from . import messages
+from . import messages, passes
 from .compat import write_pixels
 from .export import ExportCancelledError, ExportError
 from .export.scene import export_frame
@@ -46,6 +46,13 @@ class GridgatherEngine(bpy.types.RenderEngine):
         self.frame = None
         self.layers = {}  # statistics of this frame's view layers
 
+    def update_render_passes(self, scene=None, renderlayer=None):
+        """For the compositor's sockets and multilayer files."""
+        with _reporting(self):
+            self.register_pass(scene, renderlayer, "Combined", 4, "RGBA", "COLOR")
+            for name in passes.enabled(renderlayer):
+                self.register_pass(scene, renderlayer, name, 1, "X", "VALUE")
+
     def update(self, data=None, depsgraph=None):
         self.frame = None
         with _reporting(self):
@@ -56,6 +63,8 @@ class GridgatherEngine(bpy.types.RenderEngine):
     def render(self, depsgraph):
         with _reporting(self):
             frame, self.frame = self.frame, None
+            for name in passes.enabled(depsgraph.view_layer):
+                self.add_pass(name, 1, "X", layer=depsgraph.view_layer.name)
             result = self.begin_result(0, 0, self.resolution_x, self.resolution_y, layer=depsgraph.view_layer.name)
             try:
                 # After a failed or cancelled update() there is nothing to render; both were reported there.
@@ -70,6 +79,9 @@ class GridgatherEngine(bpy.types.RenderEngine):
     def _render_frame(self, depsgraph, frame, result):
         width, height = result.resolution_x, result.resolution_y
         frame.settings.crop = (*frame.settings.crop[:2], width, height)
+        pixels = {"Combined": np.zeros((height, width, 4), np.float32)}
+        if frame.settings.passes:
+            pixels |= {name: np.zeros((height, width, 1), np.float32) for name in passes.enabled(depsgraph.view_layer)}
         found = [(name, text, 1) for name, text in frame.scene.messages]
         try:
             start = time.perf_counter()
@@ -77,7 +89,7 @@ class GridgatherEngine(bpy.types.RenderEngine):
                 upload(frame.scene, scene)
                 uploaded = time.perf_counter() - start
                 with scene.start(frame.camera, frame.settings) as render:
-                    status = self._wait(render, result, np.zeros((height, width, 4), np.float32))
+                    status = self._wait(render, result, pixels)
                     found = render.messages()
                     if status == OK:
                         statistics = render.statistics()
@@ -92,7 +104,7 @@ class GridgatherEngine(bpy.types.RenderEngine):
 
     def _wait(self, render, result, pixels) -> int:
         """Until the render is finished: shows what is done, passes a cancel on. Returns the render's status."""
-        passes = [each for each in result.layers[0].passes if each.name == "Combined"]  # one a stereo view
+        targets = [each for each in result.layers[0].passes if each.name in pixels]  # one a stereo view
         stage, drawn, changed = "", time.perf_counter(), False
         while True:
             progress = render.wait(_POLL_SECONDS)
@@ -105,8 +117,8 @@ class GridgatherEngine(bpy.types.RenderEngine):
             self.update_memory_stats(memory_used=progress.memory / 2**20, memory_peak=progress.peak_memory / 2**20)
             changed |= render.copy_finished_tiles(pixels)
             if changed and (progress.finished or time.perf_counter() - drawn > _REDRAW_SECONDS):
-                for combined in passes:
-                    write_pixels(combined, pixels)
+                for target in targets:
+                    write_pixels(target, pixels[target.name])
                 self.update_result(result)
                 drawn, changed = time.perf_counter(), False
             if progress.finished:

@@ -4,7 +4,7 @@ import ctypes
 import os
 from ctypes import POINTER, c_char, c_char_p, c_float, c_int, c_int32, c_uint32, c_uint64, c_void_p
 
-INTERFACE_VERSION = 1
+INTERFACE_VERSION = 2
 LIBRARY_PATH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "libgridgather.so")
 
 OK, CANCELLED = 0, 1
@@ -105,6 +105,7 @@ class Settings(ctypes.Structure):
         ("exposure", c_float),
         ("film_transparent", c_int32),
         ("threads", c_int32),
+        ("passes", c_uint32),
     ]
 
 

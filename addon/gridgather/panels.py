@@ -3,7 +3,7 @@
 import bpy
 from bpy.types import Panel
 
-from . import interface, messages
+from . import interface, messages, passes
 from .engine import GridgatherEngine
 
 _ENGINE = GridgatherEngine.bl_idname
@@ -64,6 +64,20 @@ class GRIDGATHER_PT_settings(_RenderPanel, Panel):
         layout.prop(context.scene.render, "film_transparent", text="Transparent Film")
 
 
+class GRIDGATHER_PT_diagnostic_passes(_RenderPanel, Panel):
+    bl_label = "Diagnostic Passes"
+    bl_context = "view_layer"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        column = layout.column(heading="Include")
+        for name in passes.PROPERTIES:
+            column.prop(context.view_layer.gridgather, name)
+
+
 class GRIDGATHER_PT_messages(_RenderPanel, Panel):
     bl_label = "Messages"
     bl_options = {"DEFAULT_CLOSED"}
@@ -87,7 +101,7 @@ class GridgatherPreferences(bpy.types.AddonPreferences):
             self.layout.label(text=f"Library {interface.load().gg_version().decode()}", icon="CHECKMARK")
 
 
-_classes = [GRIDGATHER_PT_settings, GRIDGATHER_PT_messages, GridgatherPreferences]
+_classes = [GRIDGATHER_PT_settings, GRIDGATHER_PT_diagnostic_passes, GRIDGATHER_PT_messages, GridgatherPreferences]
 _from_cycles = []
 
 

@@ -83,6 +83,7 @@ class Render(_Handle):
             exposure=settings.exposure,
             film_transparent=int(settings.film_transparent),
             threads=settings.threads,
+            passes=settings.passes,
         )
         self.check(
             self.library.gg_render_start(
@@ -104,18 +105,19 @@ class Render(_Handle):
         """What went wrong with a finished render."""
         return self.library.gg_render_error(self.pointer).decode("utf-8", "replace")
 
-    def copy_finished_tiles(self, pixels: np.ndarray) -> bool:
-        """Copies tiles that finished since the last call into float32 pixels (height, width, 4) of the crop, bottom row
-        first. True when there were any."""
+    def copy_finished_tiles(self, pixels: dict[str, np.ndarray]) -> bool:
+        """Copies tiles that finished since the last call. pixels: by name of the pass, float32 (height, width, 4) of
+        the crop for "Combined", (height, width, 1) for others, bottom row first. True when there were any."""
         tile, found, copied = interface.Tile(), ctypes.c_int32(), False
         while True:
             self.check(self.library.gg_render_next_tile(self.pointer, ctypes.byref(tile), ctypes.byref(found)))
             if not found.value:
                 return copied
-            rectangle = np.empty((tile.height, tile.width, 4), np.float32)
-            target = rectangle.ctypes.data_as(ctypes.POINTER(ctypes.c_float))
-            self.check(self.library.gg_render_read(self.pointer, b"Combined", ctypes.byref(tile), target))
-            pixels[tile.y : tile.y + tile.height, tile.x : tile.x + tile.width] = rectangle
+            for name, whole in pixels.items():
+                part = np.empty((tile.height, tile.width, whole.shape[-1]), np.float32)
+                target = part.ctypes.data_as(ctypes.POINTER(ctypes.c_float))
+                self.check(self.library.gg_render_read(self.pointer, name.encode(), ctypes.byref(tile), target))
+                whole[tile.y : tile.y + tile.height, tile.x : tile.x + tile.width] = part
             copied = True
 
     def statistics(self) -> dict:

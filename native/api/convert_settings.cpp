@@ -70,6 +70,7 @@ RenderSettings convert_settings(const gg_camera* camera, const gg_settings& sett
     require(settings.height >= 1 && settings.height <= kLargestPicture, "height is out of range");
     require(settings.samples <= 256, "samples are out of range");
     require(settings.filter_type >= 0 && settings.filter_type <= 2, "unknown filter_type");
+    require(settings.passes >> kPassCount == 0, "unknown passes");
     require(settings.threads >= 0 && settings.threads <= 4096, "threads are out of range");
 
     RenderSettings result;
@@ -78,6 +79,7 @@ RenderSettings convert_settings(const gg_camera* camera, const gg_settings& sett
     result.width = settings.width;
     result.height = settings.height;
     result.view.crop = convert_crop(settings);
+    result.passes.bits = settings.passes;
     result.view.samples = settings.samples == 0 ? 16 : settings.samples;
     result.view.exposure = number(settings.exposure, 1, 0, 1e30F, "exposure is out of range");
     result.view.film_transparent = settings.film_transparent != 0;

@@ -1,6 +1,7 @@
 // gg_render_...: starts renders, watches them and hands out their results.
 #include <algorithm>
 #include <cstring>
+#include <string_view>
 #include <vector>
 
 #include "api/convert_settings.h"
@@ -84,17 +85,26 @@ gg_status gg_render_next_tile(gg_render* render, gg_tile* tile, int32_t* found) 
     });
 }
 
-gg_status gg_render_read(gg_render* render, const char* pass, const gg_tile* rectangle, float* rgba) {
+gg_status gg_render_read(gg_render* render, const char* pass, const gg_tile* rectangle, float* values) {
     return gg::guarded([&] {
         gg_render& source = gg::checked_render(render);
-        gg::require(pass != nullptr && std::strcmp(pass, "Combined") == 0, "unknown pass");
-        gg::require(rectangle != nullptr && rgba != nullptr, "no rectangle, or no place for the pixels");
+        gg::require(pass != nullptr, "no pass");
+        gg::require(rectangle != nullptr && values != nullptr, "no rectangle, or no place for the values");
         const gg::Rectangle area{rectangle->x, rectangle->y, rectangle->width, rectangle->height};
-        gg::require(source.job->film().contains(area), "the rectangle does not lie within the picture");
-        std::vector<gg::Rgba> pixels(std::size_t{area.width} * area.height);
-        source.job->film().read(area, pixels);
-        static_assert(sizeof(gg::Rgba) == 4 * sizeof(float));
-        std::memcpy(rgba, pixels.data(), pixels.size() * sizeof(gg::Rgba));
+        const gg::Film& film = source.job->film();
+        gg::require(film.contains(area), "the rectangle does not lie within the picture");
+        const std::size_t size = std::size_t{area.width} * area.height;
+        if (std::strcmp(pass, "Combined") == 0) {
+            std::vector<gg::Rgba> pixels(size);
+            film.read(area, pixels);
+            static_assert(sizeof(gg::Rgba) == 4 * sizeof(float));
+            std::memcpy(values, pixels.data(), size * sizeof(gg::Rgba));
+            return;
+        }
+        const auto found = std::find(gg::kPassNames.begin(), gg::kPassNames.end(), std::string_view(pass));
+        gg::require(found != gg::kPassNames.end() &&
+                        film.read(area, static_cast<gg::Pass>(found - gg::kPassNames.begin()), {values, size}),
+                    "a pass that the render does not keep");
     });
 }
 

@@ -6,7 +6,7 @@
 namespace gg {
 
 RenderJob::RenderJob(SceneCache& cache, const RenderSettings& settings, const std::vector<Message>& messages)
-    : film_(settings.view.crop.width, settings.view.crop.height) {
+    : film_(settings.view.crop.width, settings.view.crop.height, settings.passes) {
     for (const Message& message : messages) {
         messages_.add(message.object, message.text, message.count);
     }

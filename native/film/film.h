@@ -52,8 +52,8 @@ class Film {
     mutable std::mutex mutex_;
     std::vector<Rgba> pixels_;
     std::array<std::vector<float>, kPassCount> values_;  // empty where not kept
-    std::vector<std::uint32_t> finished_;  // in order of finishing
-    std::size_t next_ = 0;                 // into finished_
+    std::vector<std::uint32_t> finished_;                // in order of finishing
+    std::size_t next_ = 0;                               // into finished_
 };
 
 }  // namespace gg

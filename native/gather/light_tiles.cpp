@@ -192,8 +192,7 @@ ViewCounts light_tiles(const View& view, std::span<const TileFragments> tiles,
         divided += jumps.size();
         std::vector<Rgba> pixels(tiles[i].pixels.size());
         dropped += resolve_tile(view, tiles[i], lit[i].light, pixels);
-        film.finish_tile(static_cast<std::uint32_t>(i), pixels,
-                         pass_values(map, i, lit[i], film.passes(), *gatherer));
+        film.finish_tile(static_cast<std::uint32_t>(i), pixels, pass_values(map, i, lit[i], film.passes(), *gatherer));
         step(*gatherer);
     });
     report(total, statistics);

@@ -21,8 +21,8 @@ namespace {
 constexpr int kFullSamples = 256;
 constexpr float kCellsAcross = 17.5F;  // along the short side of a picture
 constexpr std::size_t kSitesAtOnce = 64;
-constexpr int kHalvings = 2;                  // of fragments in which light jumps
-constexpr float kQuartersJump = 0.5F;         // of the pixel's light, between parts that are divided further
+constexpr int kHalvings = 2;           // of fragments in which light jumps
+constexpr float kQuartersJump = 0.5F;  // of the pixel's light, between parts that are divided further
 
 // What the radiosity solution says of a fragment, luminance [W/m2].
 float expected_irradiance(const Solution& solution, const Fragment& at) {
@@ -40,8 +40,7 @@ std::vector<TileFragments> trace_tiles(const View& view, const Film& film, Contr
 
 class FullGatherer : public Gatherer {
   public:
-    FullGatherer(const Solution& solution, const NodeOrder& order, const ClusterPoints& points,
-                 const RayTracer& tracer)
+    FullGatherer(const Solution& solution, const NodeOrder& order, const ClusterPoints& points, const RayTracer& tracer)
         : solution_(solution), gather_(solution, order, points, tracer, kFullSamples) {}
 
     void shade(std::span<const Fragment> fragments, std::span<Rgb> light, std::span<PointCounts> taken) override {

@@ -27,7 +27,7 @@
 extern "C" {
 #endif
 
-#define GG_INTERFACE_VERSION 1
+#define GG_INTERFACE_VERSION 2
 #define GG_NONE 0xFFFFFFFFu /* no image, no material */
 
 typedef enum gg_status {
@@ -176,6 +176,15 @@ typedef struct gg_camera {
 /* GATHER: final gather; SOLUTION: the interpolated radiosity solution; FULL: every sender anew at every point, slow. */
 typedef enum gg_method { GG_METHOD_GATHER = 0, GG_METHOD_SOLUTION = 1, GG_METHOD_FULL = 2 } gg_method;
 
+/* Passes besides "Combined" that a render keeps if asked to; all have one value a pixel, of all points in it at which
+ * light was gathered. SOLUTION gathers nothing: 0. */
+typedef enum gg_pass {
+    GG_PASS_VISIBILITY_SAMPLES = 1,  /* "Visibility Samples": rays to senders, the sky and what is near */
+    GG_PASS_FORM_FACTOR_SAMPLES = 2, /* "Form Factor Samples": form factors worked out */
+    GG_PASS_RESAMPLED_SENDERS = 4,   /* "Resampled Senders": looked at anew, mean over the pixel's points */
+    GG_PASS_CELL_LINES = 8           /* "Cell Lines": 1 where the pixel to the right or above lies in another cell */
+} gg_pass;
+
 /* A render's numbers. Required: width, height, method. */
 typedef struct gg_settings {
     int32_t method;           /* gg_method */
@@ -188,6 +197,7 @@ typedef struct gg_settings {
     float exposure;           /* factor on every pixel, 0: 1 */
     int32_t film_transparent; /* 1: the world behind is alpha 0 */
     int32_t threads;          /* 0: all cores */
+    uint32_t passes;          /* gg_pass, added up */
 } gg_settings;
 
 /* Copies what it needs, validates, starts the work on the library's own threads and returns at once. Lighting that an
@@ -220,9 +230,9 @@ typedef struct gg_tile {
 
 /* The next finished tile in order of finishing; *found 0 when there is none (now). */
 GG_API gg_status gg_render_next_tile(gg_render* render, gg_tile* tile, int32_t* found);
-/* Copies a rectangle of pass "Combined" into rgba (height, width, 4), bottom row first, scene-linear, premultiplied.
- * Pixels of unfinished tiles are 0. */
-GG_API gg_status gg_render_read(gg_render* render, const char* pass, const gg_tile* rectangle, float* rgba);
+/* Copies a rectangle of a pass, bottom row first: "Combined" (height, width, 4), scene-linear, premultiplied; any other
+ * that the render keeps (height, width). Pixels of unfinished tiles are 0. */
+GG_API gg_status gg_render_read(gg_render* render, const char* pass, const gg_tile* rectangle, float* values);
 
 /* Statistics of a finished render as a JSON object: {"stages": {name: seconds}, "counts": {name: number},
  * "memory": {name: bytes}}. Valid until destroy. */

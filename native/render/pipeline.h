@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "film/passes.h"
 #include "film/pixel_filter.h"
 #include "film/solution_view.h"
 #include "scene/description.h"
@@ -27,6 +28,7 @@ struct RenderSettings {
     float filter_width = 1.5F;  // pixels
     float quality = 0.02F;      // see SolveSettings
     int threads = 0;            // 0: all cores
+    PassSet passes;             // of the film
 };
 
 // Fills the film, which has the size of settings.view.crop. Throws Cancelled or Error; statistics and messages then

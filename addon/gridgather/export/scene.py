@@ -2,6 +2,7 @@
 
 import time
 
+from .. import passes
 from ..description import HIDDEN_FROM_CAMERA, HIDDEN_FROM_LIGHT, Frame, InstanceGroup, Scene
 from . import ExportCancelledError
 from .camera import export_camera
@@ -26,6 +27,7 @@ def export_frame(depsgraph, width: int, height: int, camera=None, cancelled=lamb
     camera = camera or depsgraph.scene.camera
     window = export_camera(depsgraph, camera, width, height)
     settings = export_settings(depsgraph.scene_eval, width, height)
+    settings.passes = passes.bits(depsgraph.view_layer)
     scene = export_scene(depsgraph, cancelled)
     if camera.data.dof.use_dof:
         scene.say(camera.name, "Depth of Field is left out")

@@ -54,6 +54,7 @@ TEST_F(RenderMisuse, settings_out_of_range_are_refused) {
         [](gg_settings& s) { s.quality = 2; },
         [](gg_settings& s) { s.quality = kNan; },
         [](gg_settings& s) { s.samples = 257; },
+        [](gg_settings& s) { s.passes = 16; },
         [](gg_settings& s) { s.filter_width = -1; },
         [](gg_settings& s) { s.filter_type = 3; },
         [](gg_settings& s) { s.exposure = -1; },
@@ -122,6 +123,7 @@ TEST_F(RenderMisuse, null_places_for_results_are_refused) {
     EXPECT_EQ(gg_render_next_tile(render.handle, &tile, nullptr), GG_INVALID_ARGUMENT);
     EXPECT_EQ(gg_render_read(render.handle, nullptr, &tile, rgba), GG_INVALID_ARGUMENT);
     EXPECT_EQ(gg_render_read(render.handle, "Depth", &tile, rgba), GG_INVALID_ARGUMENT);
+    EXPECT_EQ(gg_render_read(render.handle, "Cell Lines", &tile, rgba), GG_INVALID_ARGUMENT);  // not asked for
     EXPECT_EQ(gg_render_read(render.handle, "Combined", nullptr, rgba), GG_INVALID_ARGUMENT);
     EXPECT_EQ(gg_render_read(render.handle, "Combined", &tile, nullptr), GG_INVALID_ARGUMENT);
     EXPECT_EQ(gg_render_statistics(render.handle, nullptr), GG_INVALID_ARGUMENT);

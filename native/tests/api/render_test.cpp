@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <thread>
@@ -54,6 +55,23 @@ TEST_F(RenderTest, a_quad_lit_by_one_area_lamp_is_as_bright_as_its_form_factor) 
     EXPECT_FLOAT_EQ(centre[3], 1);
     const float* corner = &rgba[0];
     EXPECT_EQ(corner[0], 0);  // the black world beyond the ground's edge
+}
+
+TEST_F(RenderTest, passes_that_are_asked_for_are_kept) {
+    ASSERT_TRUE(fill_scene(scene_.handle, ground_.mesh, 100));
+    settings_.method = GG_METHOD_GATHER;
+    settings_.passes = GG_PASS_RESAMPLED_SENDERS | GG_PASS_CELL_LINES;
+    Render result;
+    render(result);
+    const gg_tile all{0, 0, settings_.width, settings_.height};
+    std::vector<float> senders(std::size_t{settings_.width} * settings_.height, -1.0F), lines = senders;
+    EXPECT_EQ(gg_render_read(result.handle, "Resampled Senders", &all, senders.data()), GG_OK);
+    EXPECT_EQ(gg_render_read(result.handle, "Cell Lines", &all, lines.data()), GG_OK);
+    EXPECT_EQ(gg_render_read(result.handle, "Form Factor Samples", &all, lines.data()), GG_INVALID_ARGUMENT);
+    EXPECT_EQ(senders[20 * 48 + 24], 1);  // one lamp
+    EXPECT_EQ(senders[0], 0);             // beyond the ground
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), 0) + std::count(lines.begin(), lines.end(), 1), 48 * 40);
+    EXPECT_GT(std::count(lines.begin(), lines.end(), 1), 48);
 }
 
 TEST_F(RenderTest, tiles_arrive_until_all_have) {
