@@ -7,6 +7,13 @@ from bpy_extras.object_utils import world_to_camera_view
 from building import lamp
 from capture import export
 from gridgather import description
+from gridgather.description import (
+    DEPTH_LOGARITHMIC,
+    DEPTH_RECIPROCAL,
+    RECEIVERS_FREE_SPACE,
+    RECEIVERS_VISIBLE,
+    Settings,
+)
 from gridgather.export import ExportError
 from gridgather.export.scene import export_frame
 from mathutils import Vector
@@ -103,8 +110,25 @@ def test_film_settings_are_those_of_cycles(scene):
     assert (settings.film_transparent, settings.threads, settings.samples) == (True, 3, 5)
 
 
-@pytest.mark.parametrize("preset, quality", [("DRAFT", 0.08), ("PREVIEW", 0.04), ("FINAL", 0.02), ("PAPER", 0.02)])
-def test_presets_set_the_quality(scene, preset, quality):
+@pytest.mark.parametrize("preset, quality, threshold", [
+    ("DRAFT", 0.08, 0.1), ("PREVIEW", 0.04, 0.05), ("FINAL", 0.02, 0.03), ("PAPER", 0.02, 0.014),
+])
+def test_presets_set_the_errors(scene, preset, quality, threshold):
     assert scene.gridgather.preset == "FINAL"
     scene.gridgather.preset = preset
-    assert export().settings.quality == pytest.approx(quality)
+    settings = export().settings
+    assert (settings.quality, settings.threshold) == pytest.approx((quality, threshold))
+
+
+def test_paper_is_as_published_and_final_comes_back(scene):
+    standard = export().settings
+    scene.gridgather.preset = "PAPER"
+    paper = export().settings
+    assert (paper.receivers, paper.depth_law) == (RECEIVERS_FREE_SPACE, DEPTH_RECIPROCAL)
+    assert (standard.receivers, standard.depth_law) == (RECEIVERS_VISIBLE, DEPTH_LOGARITHMIC)
+    scene.gridgather.preset = "FINAL"
+    assert export().settings == standard
+    own, library = (
+        (each.quality, each.threshold, each.cell_size, each.gather_samples) for each in (standard, Settings(1, 1, ()))
+    )
+    assert own == pytest.approx(library)

@@ -18,6 +18,8 @@ LIGHT_POINT, LIGHT_SPOT, LIGHT_SUN, LIGHT_AREA = range(4)
 AREA_RECTANGLE, AREA_ELLIPSE = 0, 1
 CAMERA_PERSPECTIVE, CAMERA_ORTHOGRAPHIC = 0, 1
 METHOD_GATHER, METHOD_SOLUTION, METHOD_FULL = 0, 1, 2
+RECEIVERS_VISIBLE, RECEIVERS_FREE_SPACE = 0, 1
+DEPTH_LOGARITHMIC, DEPTH_RECIPROCAL = 0, 1
 PIXEL_BLACKMAN_HARRIS, PIXEL_GAUSS, PIXEL_BOX = range(3)
 
 IDENTITY_UV = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
@@ -128,6 +130,11 @@ class Settings:
     film_transparent: bool = False
     threads: int = 0
     passes: int = 0  # bits, see passes.py
+    receivers: int = RECEIVERS_VISIBLE
+    depth_law: int = DEPTH_LOGARITHMIC
+    cell_size: float = 20.0
+    threshold: float = 0.03
+    gather_samples: int = 256
 
 
 @dataclass

@@ -106,6 +106,11 @@ class Settings(ctypes.Structure):
         ("film_transparent", c_int32),
         ("threads", c_int32),
         ("passes", c_uint32),
+        ("receivers", c_int32),
+        ("depth_law", c_int32),
+        ("cell_size", c_float),
+        ("threshold", c_float),
+        ("gather_samples", c_uint32),
     ]
 
 

@@ -64,6 +64,24 @@ class GRIDGATHER_PT_settings(_RenderPanel, Panel):
         layout.prop(context.scene.render, "film_transparent", text="Transparent Film")
 
 
+class GRIDGATHER_PT_gather(_RenderPanel, Panel):
+    bl_label = "Final Gather"
+    bl_parent_id = "GRIDGATHER_PT_settings"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        settings = context.scene.gridgather
+        layout.active = settings.method != "SOLUTION"
+        layout.prop(settings, "gather_samples")
+        column = layout.column()
+        column.active = settings.method == "GATHER"
+        for name in ("threshold", "cell_size", "receivers", "depth_law"):
+            column.prop(settings, name)
+
+
 class GRIDGATHER_PT_diagnostic_passes(_RenderPanel, Panel):
     bl_label = "Diagnostic Passes"
     bl_context = "view_layer"
@@ -101,7 +119,7 @@ class GridgatherPreferences(bpy.types.AddonPreferences):
             self.layout.label(text=f"Library {interface.load().gg_version().decode()}", icon="CHECKMARK")
 
 
-_classes = [GRIDGATHER_PT_settings, GRIDGATHER_PT_diagnostic_passes, GRIDGATHER_PT_messages, GridgatherPreferences]
+_classes = [GRIDGATHER_PT_settings, GRIDGATHER_PT_gather, GRIDGATHER_PT_diagnostic_passes, GRIDGATHER_PT_messages, GridgatherPreferences]
 _from_cycles = []
 
 

@@ -5,11 +5,26 @@ from bpy.props import EnumProperty, FloatProperty, IntProperty, PointerProperty,
 
 from . import messages
 
-QUALITY = {"DRAFT": 0.08, "PREVIEW": 0.04, "FINAL": 0.02, "PAPER": 0.02}
+# What each preset sets. Paper: as published, with the threshold of an eye that is used to the brightness.
+_STANDARD = {
+    "quality": 0.02,
+    "threshold": 3.0,
+    "gather_samples": 256,
+    "cell_size": 20.0,
+    "receivers": "VISIBLE",
+    "depth_law": "LOGARITHMIC",
+}
+PRESETS = {
+    "DRAFT": _STANDARD | {"quality": 0.08, "threshold": 10.0, "gather_samples": 64, "cell_size": 28.0},
+    "PREVIEW": _STANDARD | {"quality": 0.04, "threshold": 5.0, "gather_samples": 128},
+    "FINAL": _STANDARD,
+    "PAPER": _STANDARD | {"threshold": 1.4, "receivers": "FREE_SPACE", "depth_law": "RECIPROCAL"},
+}
 
 
 def _apply_preset(settings, _context) -> None:
-    settings.quality = QUALITY[settings.preset]
+    for name, value in PRESETS[settings.preset].items():
+        setattr(settings, name, value)
 
 
 class GridgatherSettings(bpy.types.PropertyGroup):
@@ -37,7 +52,7 @@ class GridgatherSettings(bpy.types.PropertyGroup):
     )
     quality: FloatProperty(
         name="Error",
-        default=QUALITY["FINAL"],
+        default=_STANDARD["quality"],
         min=0.001,
         max=1.0,
         soft_max=0.2,
@@ -50,6 +65,52 @@ class GridgatherSettings(bpy.types.PropertyGroup):
         min=1,
         max=256,
         description="Coverage samples of a pixel: smoothness of borders and leaves",
+    )
+    threshold: FloatProperty(
+        name="Threshold",
+        default=_STANDARD["threshold"],
+        min=0.01,
+        max=100.0,
+        soft_max=20.0,
+        precision=1,
+        subtype="PERCENTAGE",
+        description="Error that the light of one sender may have before it is worked out anew at every point, as a "
+        "share of the light of its surroundings. Lower is slower",
+    )
+    gather_samples: IntProperty(
+        name="Shadow Samples",
+        default=_STANDARD["gather_samples"],
+        min=16,
+        max=4096,
+        description="Rays from a point to senders that are worked out anew, about: smoothness of shadows",
+    )
+    cell_size: FloatProperty(
+        name="Cell Size",
+        default=_STANDARD["cell_size"],
+        min=4.0,
+        max=200.0,
+        soft_max=60.0,
+        precision=0,
+        description="Side of a cell of the grid over the picture, in pixels of a picture 350 pixels high; larger "
+        "pictures have larger cells",
+    )
+    receivers: EnumProperty(
+        name="Receivers",
+        items=(
+            ("VISIBLE", "Visible Surfaces", "Places in the grid look around from surfaces that are seen"),
+            ("FREE_SPACE", "Free Space", "They look from points in free space and count hits, as published"),
+        ),
+        default=_STANDARD["receivers"],
+        description="From where the light around a vertex of the grid is judged",
+    )
+    depth_law: EnumProperty(
+        name="Depth",
+        items=(
+            ("LOGARITHMIC", "Logarithmic", "Cells keep their shape over all depths"),
+            ("RECIPROCAL", "Perspective", "Even steps after perspective projection, as published"),
+        ),
+        default=_STANDARD["depth_law"],
+        description="How the grid is divided along the depth. Orthographic cameras have even steps",
     )
 
 

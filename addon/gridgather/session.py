@@ -84,6 +84,11 @@ class Render(_Handle):
             film_transparent=int(settings.film_transparent),
             threads=settings.threads,
             passes=settings.passes,
+            receivers=settings.receivers,
+            depth_law=settings.depth_law,
+            cell_size=settings.cell_size,
+            threshold=settings.threshold,
+            gather_samples=settings.gather_samples,
         )
         self.check(
             self.library.gg_render_start(

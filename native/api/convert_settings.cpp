@@ -70,6 +70,10 @@ RenderSettings convert_settings(const gg_camera* camera, const gg_settings& sett
     require(settings.height >= 1 && settings.height <= kLargestPicture, "height is out of range");
     require(settings.samples <= 256, "samples are out of range");
     require(settings.filter_type >= 0 && settings.filter_type <= 2, "unknown filter_type");
+    require(settings.receivers >= 0 && settings.receivers <= GG_RECEIVERS_FREE_SPACE, "unknown receivers");
+    require(settings.depth_law >= 0 && settings.depth_law <= GG_DEPTH_RECIPROCAL, "unknown depth_law");
+    require(settings.gather_samples == 0 || (settings.gather_samples >= 16 && settings.gather_samples <= 4096),
+            "gather_samples are out of range");
     require(settings.passes >> kPassCount == 0, "unknown passes");
     require(settings.threads >= 0 && settings.threads <= 4096, "threads are out of range");
 
@@ -86,6 +90,12 @@ RenderSettings convert_settings(const gg_camera* camera, const gg_settings& sett
     result.filter_type = static_cast<FilterType>(settings.filter_type);
     result.filter_width = number(settings.filter_width, 1.5F, 0.01F, 100, "filter_width is out of range");
     result.quality = number(settings.quality, 0.02F, 0.001F, 1, "quality is out of range");
+    const GatherSettings standard;
+    result.gather.free_space = settings.receivers == GG_RECEIVERS_FREE_SPACE;
+    result.gather.law = settings.depth_law == GG_DEPTH_RECIPROCAL ? DepthLaw::kReciprocal : DepthLaw::kLogarithmic;
+    result.gather.cell = number(settings.cell_size, standard.cell, 4, 200, "cell_size is out of range");
+    result.gather.threshold = number(settings.threshold, standard.threshold, 1e-4F, 1, "threshold is out of range");
+    result.gather.samples = settings.gather_samples == 0 ? standard.samples : static_cast<int>(settings.gather_samples);
     // More threads than cores would only make TBB print a warning.
     result.threads = std::min(settings.threads, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
     return result;

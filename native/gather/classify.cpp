@@ -38,26 +38,6 @@ Classifier::Classifier(const Solution& solution, const NodeOrder& order, const C
       surroundings_(solution, order, tracer),
       sky_(tracer, hierarchy_of(solution).scene().world) {}
 
-IrradianceVector Classifier::vector_at(NodeId sender, Vec3 x) const {
-    const Node& node = hierarchy_of(solution_)[sender];
-    if (!is_cluster(node)) {
-        return irradiance_vector(solution_, sender, x);
-    }
-    const auto points = points_.of(sender);
-    Rgb sum(0.0F);
-    Vec3 vector(0.0F);
-    for (const FacePoint& point : points) {
-        const Vec3 to = point.position - x;
-        const Vec3 direction = normalize_or_zero(to);
-        const Rgb light =
-            irradiance_from(point, 1, to, direction, 0.5F * node.area / static_cast<float>(points.size()));
-        sum += light;
-        vector += luminance(light) * direction;
-    }
-    const float size = length(vector), all = luminance(sum);
-    return {all > 0 ? size / all * sum : Rgb(0.0F), size > 0 ? vector / size : Vec3(0, 0, 1)};
-}
-
 // Over at most `count` of the receivers that the sender may light: what others have of it is nothing anyway.
 void Classifier::measure(Candidate& candidate, std::span<const Receiver> receivers, std::size_t count) {
     const Scene& scene = hierarchy_of(solution_).scene();
@@ -70,7 +50,7 @@ void Classifier::measure(Candidate& candidate, std::span<const Receiver> receive
         if (found == count || is_below_horizon(scene, node, receiver.position, receiver.shading_normal)) {
             continue;
         }
-        const IrradianceVector v = vector_at(candidate.cut.sender, receiver.position);
+        const IrradianceVector v = irradiance_vector(solution_, points_, candidate.cut.sender, receiver.position);
         const float size = luminance(v.irradiance);
         if (size > 0) {
             vectors[found++] = size * v.direction;

@@ -52,7 +52,6 @@ class Classifier {
     };
 
     void measure(Candidate& candidate, std::span<const Receiver> receivers, std::size_t count);
-    [[nodiscard]] IrradianceVector vector_at(NodeId sender, Vec3 x) const;
     [[nodiscard]] float bound(NodeId sender, const Box& box) const;
     void add_rays(Candidate& candidate, std::span<const Receiver> receivers, std::uint32_t count);
     void judge(Candidate& candidate, float irradiance, float tolerance);

@@ -122,6 +122,7 @@ GridReceivers::GridReceivers(const Solution& solution, const PerspectiveGrid& gr
         if (i == 0 || all[i].vertex != all[i - 1].vertex) {
             site_of_[all[i].vertex] = static_cast<std::uint32_t>(begin_.size() - 1);
             begin_.push_back(0);
+            vertices_.push_back(all[i].vertex);
         }
         begin_.back() = static_cast<std::uint32_t>(i + 1);
     }

@@ -27,6 +27,7 @@ class GridReceivers {
     [[nodiscard]] std::span<const Receiver> of(std::size_t site) const {
         return std::span(receivers_).subspan(begin_[site], begin_[site + 1] - begin_[site]);
     }
+    [[nodiscard]] std::uint32_t vertex_of(std::size_t site) const { return vertices_[site]; }
     // kNone for a vertex without a site.
     [[nodiscard]] std::uint32_t site_at(std::uint32_t vertex) const { return site_of_[vertex]; }
     [[nodiscard]] float mean_radiosity() const { return mean_radiosity_; }  // reflected, of what is seen, W/m2
@@ -34,7 +35,8 @@ class GridReceivers {
   private:
     std::vector<Receiver> receivers_;
     std::vector<std::uint32_t> begin_{0};
-    std::vector<std::uint32_t> site_of_;  // per vertex
+    std::vector<std::uint32_t> vertices_;  // per site
+    std::vector<std::uint32_t> site_of_;   // per vertex
     float mean_radiosity_ = 0;
 };
 

@@ -44,6 +44,31 @@ float PerspectiveGrid::layer(float depth) const {
     return 0;
 }
 
+float PerspectiveGrid::depth_of(float layer) const {
+    const float near = settings_.nearest, far = settings_.farthest;
+    switch (settings_.law) {
+        case DepthLaw::kLogarithmic:
+            return near * std::pow(far / near, layer);
+        case DepthLaw::kReciprocal:
+            return 1 / glm::mix(1 / near, 1 / far, layer);
+        case DepthLaw::kLinear:
+            return glm::mix(near, far, layer);
+    }
+    return near;
+}
+
+Vec3 PerspectiveGrid::near_vertex(std::uint32_t vertex, Vec3 cells) const {
+    const std::array<std::uint32_t, 3> index{vertex % count_[0], vertex / count_[0] % count_[1],
+                                             vertex / count_[0] / count_[1]};
+    Vec3 grid(0.0F);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto last = static_cast<float>(count_[axis] - 1);
+        grid[axis] = std::clamp(static_cast<float>(index[axis]) + cells[axis], 0.0F, last);
+    }
+    const Ray ray = camera_.ray((grid.x - kMargin) * settings_.cell, (grid.y - kMargin) * settings_.cell);
+    return ray.origin + depth_of(grid.z / static_cast<float>(count_[2] - 1)) * ray.direction;
+}
+
 PerspectiveGrid::InCell PerspectiveGrid::locate(Vec3 point) const {
     const Vec3 seen = camera_.project(point);
     const Vec3 grid(seen.x / settings_.cell + kMargin, seen.y / settings_.cell + kMargin,

@@ -35,6 +35,8 @@ class PerspectiveGrid {
 
     // Points outside of the grid belong to its outermost cells, at their nearest point.
     [[nodiscard]] GridPlace place(Vec3 point) const;
+    // The world's point so many cells from a vertex along x, y and depth; at the grid's rim no farther than that.
+    [[nodiscard]] Vec3 near_vertex(std::uint32_t vertex, Vec3 cells) const;
     // The cell that it lies in, counted through.
     [[nodiscard]] std::uint32_t cell_at(Vec3 point) const;
     [[nodiscard]] std::uint32_t vertex_count() const { return count_[0] * count_[1] * count_[2]; }
@@ -45,7 +47,8 @@ class PerspectiveGrid {
         Vec3 inside{0.0F};  // 0..1
     };
     [[nodiscard]] InCell locate(Vec3 point) const;
-    [[nodiscard]] float layer(float depth) const;
+    [[nodiscard]] float layer(float depth) const;     // 0..1
+    [[nodiscard]] float depth_of(float layer) const;  // its inverse, m
 
     PixelCamera camera_;
     GridSettings settings_;

@@ -7,8 +7,10 @@
 
 #include "core/control.h"
 #include "core/parallel.h"
+#include "core/random.h"
 #include "core/statistics.h"
 #include "gather/classify.h"
+#include "gather/free_space.h"
 #include "gather/full_gather.h"
 #include "gather/grid_sites.h"
 #include "gather/light_tiles.h"
@@ -18,9 +20,9 @@ namespace gg {
 
 namespace {
 
-constexpr int kFullSamples = 256;
-constexpr float kCellsAcross = 17.5F;  // along the short side of a picture
+constexpr float kStandardHeight = 350;  // pixels, of pictures that settings are meant for
 constexpr std::size_t kSitesAtOnce = 64;
+constexpr std::uint64_t kFreeSpaceSeed = 0x66726565;
 constexpr int kHalvings = 2;           // of fragments in which light jumps
 constexpr float kQuartersJump = 0.5F;  // of the pixel's light, between parts that are divided further
 
@@ -40,8 +42,9 @@ std::vector<TileFragments> trace_tiles(const View& view, const Film& film, Contr
 
 class FullGatherer : public Gatherer {
   public:
-    FullGatherer(const Solution& solution, const NodeOrder& order, const ClusterPoints& points, const RayTracer& tracer)
-        : solution_(solution), gather_(solution, order, points, tracer, kFullSamples) {}
+    FullGatherer(const Solution& solution, const NodeOrder& order, const ClusterPoints& points, const RayTracer& tracer,
+                 int samples)
+        : solution_(solution), gather_(solution, order, points, tracer, samples) {}
 
     void shade(std::span<const Fragment> fragments, std::span<Rgb> light, std::span<PointCounts> taken) override {
         for (std::size_t i = 0; i < fragments.size(); ++i) {
@@ -61,6 +64,55 @@ class FullGatherer : public Gatherer {
     const Solution& solution_;
     FullGather gather_;
 };
+
+// Points in the cells around every grid vertex.
+class FreeSpacePoints {
+  public:
+    FreeSpacePoints(const PerspectiveGrid& grid, const GridReceivers& receivers) : grid_(grid), receivers_(receivers) {}
+
+    [[nodiscard]] FreeSpace of(std::size_t site) const {
+        const std::uint32_t vertex = receivers_.vertex_of(site);
+        const Sequence4 places(hash64(vertex, kFreeSpaceSeed));
+        static thread_local std::vector<Vec3> points;
+        points.clear();
+        for (std::uint32_t i = 0; i < FreeSpaceClassifier::kMostPoints; ++i) {
+            points.push_back(
+                grid_.near_vertex(vertex, 2.0F * Vec3(places(i, 0), places(i, 1), places(i, 2)) - Vec3(1.0F)));
+        }
+        return {grid_.near_vertex(vertex, Vec3(0.0F)), points, receivers_.of(site)};
+    }
+
+  private:
+    const PerspectiveGrid& grid_;
+    const GridReceivers& receivers_;
+};
+
+// All sites, by classifiers that make() gives, one for a block of them.
+template <typename OneClassifier, typename Make, typename Classify>
+GatherCounts make_sites(const Make& make, const Classify& classify, std::vector<Site>& sites, const Control& control) {
+    std::mutex mutex;
+    GatherCounts total;
+    parallel_blocks(sites.size(), kSitesAtOnce, control, [&](std::size_t begin, std::size_t end) {
+        OneClassifier classifier = make();
+        for (std::size_t i = begin; i < end; ++i) {
+            control.check_cancel();
+            sites[i] = classify(classifier, i);
+        }
+        const std::scoped_lock lock(mutex);
+        total += classifier.counts();
+    });
+    return total;
+}
+
+void report_sites(const GatherCounts& total, const PerspectiveGrid& grid, Statistics& statistics) {
+    statistics.set_count("sites", static_cast<double>(total.points));
+    statistics.set_count("grid vertices", static_cast<double>(grid.vertex_count()));
+    statistics.set_count("senders of sites", static_cast<double>(total.senders));
+    statistics.set_count("rays of classification", static_cast<double>(total.visibility_rays + total.near_rays));
+    statistics.set_count("senders resampled: both", static_cast<double>(total.both));
+    statistics.set_count("senders resampled: visibility", static_cast<double>(total.only_visibility));
+    statistics.set_count("senders resampled: form factor", static_cast<double>(total.only_form_factor));
+}
 
 class GridGatherer : public Gatherer {
   public:
@@ -103,48 +155,46 @@ class GridGatherer : public Gatherer {
 
 }  // namespace
 
-ViewCounts full_gather(const Solution& solution, const View& view, Film& film, Control& control,
+ViewCounts full_gather(const Solution& solution, const View& view, int samples, Film& film, Control& control,
                        Statistics& statistics) {
     const std::vector<TileFragments> tiles = trace_tiles(view, film, control, statistics);
     const ClusterPoints points(solution, control);
     const NodeOrder order(hierarchy_of(solution));
-    const auto make = [&] { return std::make_unique<FullGatherer>(solution, order, points, view.tracer); };
+    const auto make = [&] { return std::make_unique<FullGatherer>(solution, order, points, view.tracer, samples); };
     return light_tiles(view, tiles, make, film, control, statistics);
 }
 
-ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t width, std::uint32_t height,
-                       Film& film, Control& control, Statistics& statistics) {
+ViewCounts grid_gather(const Solution& solution, const View& view, const GatherSettings& settings, std::uint32_t width,
+                       std::uint32_t height, Film& film, Control& control, Statistics& statistics) {
     const std::vector<TileFragments> tiles = trace_tiles(view, film, control, statistics);
-    std::vector<Site> sites;
     const ClusterPoints points(solution, control);
     const NodeOrder order(hierarchy_of(solution));
     GridSettings cells;
-    cells.cell = static_cast<float>(std::min(width, height)) / kCellsAcross;
+    cells.cell = settings.cell * static_cast<float>(std::min(width, height)) / kStandardHeight;
+    cells.law = view.camera.is_perspective() ? settings.law : DepthLaw::kLinear;
     const PerspectiveGrid grid = fit_grid(view, static_cast<float>(width), static_cast<float>(height), tiles, cells);
     const GridReceivers receivers(solution, grid, tiles, control);
+    std::vector<Site> sites(receivers.site_count());
     {
         const StageTimer timer(statistics, "classification");
-        ClassifySettings settings;
-        settings.mean_radiosity = receivers.mean_radiosity();
-        sites.resize(receivers.site_count());
-        std::mutex mutex;
+        ClassifySettings classify;
+        classify.samples = settings.samples;
+        classify.threshold = settings.threshold;
+        classify.mean_radiosity = receivers.mean_radiosity();
         GatherCounts total;
-        parallel_blocks(sites.size(), kSitesAtOnce, control, [&](std::size_t begin, std::size_t end) {
-            Classifier classifier(solution, order, points, view.tracer, settings);
-            for (std::size_t i = begin; i < end; ++i) {
-                control.check_cancel();
-                sites[i] = classifier.classify(receivers.of(i));
-            }
-            const std::scoped_lock lock(mutex);
-            total += classifier.counts();
-        });
-        statistics.set_count("sites", static_cast<double>(total.points));
-        statistics.set_count("grid vertices", static_cast<double>(grid.vertex_count()));
-        statistics.set_count("senders of sites", static_cast<double>(total.senders));
-        statistics.set_count("rays of classification", static_cast<double>(total.visibility_rays + total.near_rays));
-        statistics.set_count("senders resampled: both", static_cast<double>(total.both));
-        statistics.set_count("senders resampled: visibility", static_cast<double>(total.only_visibility));
-        statistics.set_count("senders resampled: form factor", static_cast<double>(total.only_form_factor));
+        if (settings.free_space) {
+            const FreeSpacePoints free_space(grid, receivers);
+            total = make_sites<FreeSpaceClassifier>(
+                [&] { return FreeSpaceClassifier(solution, order, points, view.tracer, classify); },
+                [&](FreeSpaceClassifier& classifier, std::size_t i) { return classifier.classify(free_space.of(i)); },
+                sites, control);
+        } else {
+            total = make_sites<Classifier>(
+                [&] { return Classifier(solution, order, points, view.tracer, classify); },
+                [&](Classifier& classifier, std::size_t i) { return classifier.classify(receivers.of(i)); }, sites,
+                control);
+        }
+        report_sites(total, grid, statistics);
     }
     const Shader shader(solution, order, points, view.tracer);
     const auto make = [&] { return std::make_unique<GridGatherer>(grid, receivers, sites, shader); };

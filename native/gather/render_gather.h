@@ -3,6 +3,7 @@
 
 #include "film/film.h"
 #include "film/solution_view.h"
+#include "gather/perspective_grid.h"
 #include "radiosity/solution.h"
 
 namespace gg {
@@ -10,14 +11,23 @@ namespace gg {
 class Control;
 class Statistics;
 
+// Where the paper is left, and how finely [Scheel et al. 2002].
+struct GatherSettings {
+    bool free_space = false;  // sites look from points in free space and count hits, not from what is seen
+    DepthLaw law = DepthLaw::kLogarithmic;
+    float cell = 20;  // side of a grid cell, pixels of a picture that is 350 pixels high, or wide if that is less
+    float threshold = 0.03F;  // see ClassifySettings
+    int samples = 256;        // the same
+};
+
 // All of these fill every tile of the film, report stage progress, and throw Cancelled.
 
 // Models of the light at sites of a grid, blended at every fragment. width, height: of the full picture, pixels.
-ViewCounts grid_gather(const Solution& solution, const View& view, std::uint32_t width, std::uint32_t height,
-                       Film& film, Control& control, Statistics& statistics);
+ViewCounts grid_gather(const Solution& solution, const View& view, const GatherSettings& settings, std::uint32_t width,
+                       std::uint32_t height, Film& film, Control& control, Statistics& statistics);
 
-// Every sender anew at every fragment.
-ViewCounts full_gather(const Solution& solution, const View& view, Film& film, Control& control,
+// Every sender anew at every fragment; samples: visibility rays from a point, about.
+ViewCounts full_gather(const Solution& solution, const View& view, int samples, Film& film, Control& control,
                        Statistics& statistics);
 
 }  // namespace gg

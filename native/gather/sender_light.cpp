@@ -69,6 +69,27 @@ IrradianceVector irradiance_vector(const Solution& solution, NodeId sender, Vec3
     return {size * radiosity_of(solution, sender), size > 0 ? vector / size : Vec3(0, 0, 1)};
 }
 
+IrradianceVector irradiance_vector(const Solution& solution, const ClusterPoints& cluster_points, NodeId sender,
+                                   Vec3 x) {
+    const Node& node = hierarchy_of(solution)[sender];
+    if (!is_cluster(node)) {
+        return irradiance_vector(solution, sender, x);
+    }
+    const auto points = cluster_points.of(sender);
+    Rgb sum(0.0F);
+    Vec3 vector(0.0F);
+    for (const FacePoint& point : points) {
+        const Vec3 to = point.position - x;
+        const Vec3 direction = normalize_or_zero(to);
+        const Rgb light =
+            irradiance_from(point, 1, to, direction, 0.5F * node.area / static_cast<float>(points.size()));
+        sum += light;
+        vector += luminance(light) * direction;
+    }
+    const float size = length(vector), all = luminance(sum);
+    return {all > 0 ? size / all * sum : Rgb(0.0F), size > 0 ? vector / size : Vec3(0, 0, 1)};
+}
+
 Rgb irradiance_from(const FacePoint& point, float share, Vec3 to, Vec3 n, float area) {
     const float square = length_squared(to);
     const float cosines = std::max(0.0F, dot(n, to)) * std::max(0.0F, -dot(point.normal, to));

@@ -15,6 +15,10 @@ namespace gg {
 // The same as a vector, for any normal that has all of the sender above its horizon.
 [[nodiscard]] IrradianceVector irradiance_vector(const Solution& solution, NodeId sender, Vec3 x);
 
+// The same of any sender but the sky; of a cluster by its points.
+[[nodiscard]] IrradianceVector irradiance_vector(const Solution& solution, const ClusterPoints& cluster_points,
+                                                 NodeId sender, Vec3 x);
+
 // Irradiance [W/m2] from a point of a cluster at distance vector `to` on unit normal n, if the point stands for `share`
 // times what its power says. Bounded close by: it stands for a disk of `area` [m2].
 [[nodiscard]] Rgb irradiance_from(const FacePoint& point, float share, Vec3 to, Vec3 n, float area);

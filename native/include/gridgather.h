@@ -176,6 +176,13 @@ typedef struct gg_camera {
 /* GATHER: final gather; SOLUTION: the interpolated radiosity solution; FULL: every sender anew at every point, slow. */
 typedef enum gg_method { GG_METHOD_GATHER = 0, GG_METHOD_SOLUTION = 1, GG_METHOD_FULL = 2 } gg_method;
 
+/* From where sites of the final gather look around: from visible surfaces, or as published, from points in free space
+ * with counted hits and an error bound for each sender by itself. */
+typedef enum gg_receivers { GG_RECEIVERS_VISIBLE = 0, GG_RECEIVERS_FREE_SPACE = 1 } gg_receivers;
+
+/* Layers of the gather's grid: cells keep their shape, or even steps of 1/depth as published. */
+typedef enum gg_depth_law { GG_DEPTH_LOGARITHMIC = 0, GG_DEPTH_RECIPROCAL = 1 } gg_depth_law;
+
 /* Passes besides "Combined" that a render keeps if asked to; all have one value a pixel, of all points in it at which
  * light was gathered. SOLUTION gathers nothing: 0. */
 typedef enum gg_pass {
@@ -198,6 +205,11 @@ typedef struct gg_settings {
     int32_t film_transparent; /* 1: the world behind is alpha 0 */
     int32_t threads;          /* 0: all cores */
     uint32_t passes;          /* gg_pass, added up */
+    int32_t receivers;        /* gg_receivers */
+    int32_t depth_law;        /* gg_depth_law */
+    float cell_size;          /* of the gather's grid, pixels of a picture whose shorter side has 350; 0: 20; 4..200 */
+    float threshold;          /* error that one sender may have, share of the local radiosity; 0: 0.03; 1e-4..1 */
+    uint32_t gather_samples;  /* visibility rays from a point, about; 0: 256; 16..4096 */
 } gg_settings;
 
 /* Copies what it needs, validates, starts the work on the library's own threads and returns at once. Lighting that an

@@ -30,11 +30,11 @@ void render(SceneCache& cache, const RenderSettings& settings, Film& film, Contr
         const IrradianceAt irradiance_at = [&](const Hit& hit, bool back) {
             return interpolated_irradiance(*solution, hit.instance, hit.triangle, back, {hit.u, hit.v});
         };
-        const ViewCounts counts =
-            settings.method == Method::kSolution ? render_view(view, irradiance_at, film, control)
-            : settings.method == Method::kFull
-                ? full_gather(*solution, view, film, control, statistics)
-                : grid_gather(*solution, view, settings.width, settings.height, film, control, statistics);
+        const ViewCounts counts = settings.method == Method::kSolution ? render_view(view, irradiance_at, film, control)
+                                  : settings.method == Method::kFull
+                                      ? full_gather(*solution, view, settings.gather.samples, film, control, statistics)
+                                      : grid_gather(*solution, view, settings.gather, settings.width, settings.height,
+                                                    film, control, statistics);
         statistics.set_count("coverage samples", static_cast<double>(counts.samples));
         statistics.set_count("dropped samples", static_cast<double>(counts.dropped));
     });

@@ -6,6 +6,7 @@
 #include "film/passes.h"
 #include "film/pixel_filter.h"
 #include "film/solution_view.h"
+#include "gather/render_gather.h"
 #include "scene/description.h"
 
 namespace gg {
@@ -29,6 +30,7 @@ struct RenderSettings {
     float quality = 0.02F;      // see SolveSettings
     int threads = 0;            // 0: all cores
     PassSet passes;             // of the film
+    GatherSettings gather;
 };
 
 // Fills the film, which has the size of settings.view.crop. Throws Cancelled or Error; statistics and messages then

@@ -1,5 +1,6 @@
 gg_test(gather_tests
-        SOURCES gather/direction_table_test.cpp gather/error_budget_test.cpp gather/gather_test.cpp
+        SOURCES gather/direction_table_test.cpp gather/error_budget_test.cpp gather/free_space_test.cpp
+                gather/gather_test.cpp
                 gather/light_jumps_test.cpp gather/perspective_grid_test.cpp gather/sender_cut_test.cpp
                 gather/sender_place_test.cpp gather/sender_points_test.cpp gather/surroundings_test.cpp
                 oracles/path_irradiance.cpp support/clouds.cpp support/face_points.cpp support/law_scenes.cpp

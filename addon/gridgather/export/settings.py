@@ -3,16 +3,22 @@
 import numpy as np
 
 from ..description import (
+    DEPTH_LOGARITHMIC,
+    DEPTH_RECIPROCAL,
     METHOD_FULL,
     METHOD_GATHER,
     METHOD_SOLUTION,
     PIXEL_BLACKMAN_HARRIS,
     PIXEL_BOX,
     PIXEL_GAUSS,
+    RECEIVERS_FREE_SPACE,
+    RECEIVERS_VISIBLE,
     Settings,
 )
 
 _METHODS = {"GATHER": METHOD_GATHER, "SOLUTION": METHOD_SOLUTION, "FULL": METHOD_FULL}
+_RECEIVERS = {"VISIBLE": RECEIVERS_VISIBLE, "FREE_SPACE": RECEIVERS_FREE_SPACE}
+_DEPTH_LAWS = {"LOGARITHMIC": DEPTH_LOGARITHMIC, "RECIPROCAL": DEPTH_RECIPROCAL}
 _FILTERS = {"BLACKMAN_HARRIS": PIXEL_BLACKMAN_HARRIS, "GAUSSIAN": PIXEL_GAUSS, "BOX": PIXEL_BOX}
 
 
@@ -26,6 +32,11 @@ def export_settings(scene, width: int, height: int) -> Settings:
         method=_METHODS[own.method],
         quality=own.quality,
         samples=own.samples,
+        receivers=_RECEIVERS[own.receivers],
+        depth_law=_DEPTH_LAWS[own.depth_law],
+        cell_size=own.cell_size,
+        threshold=own.threshold / 100,
+        gather_samples=own.gather_samples,
         film_transparent=render.film_transparent,
         threads=render.threads if render.threads_mode == "FIXED" else 0,
     )

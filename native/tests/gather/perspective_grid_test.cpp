@@ -136,5 +136,28 @@ TEST(PixelCamera, project_inverts_ray) {
     }
 }
 
+// So many cells from a vertex: the point's own place says the same.
+TEST(PerspectiveGrid, points_near_a_vertex_lie_in_its_cells) {
+    for (const DepthLaw law : {DepthLaw::kLogarithmic, DepthLaw::kReciprocal, DepthLaw::kLinear}) {
+        const CameraType type = law == DepthLaw::kLinear ? CameraType::kOrthographic : CameraType::kPerspective;
+        const PerspectiveGrid grid(camera(type), 700, 350, {20, 1, 10, law});
+        const Sequence4 sequence(7);
+        for (std::uint32_t i = 0; i < 1000; ++i) {
+            const auto vertex = static_cast<std::uint32_t>(sequence(i, 3) * static_cast<float>(grid.vertex_count()));
+            const GridPlace at = grid.place(grid.near_vertex(vertex, Vec3(0.0F)));
+            float weight = 0;
+            for (int k = 0; k < 4; ++k) {
+                weight += at.vertices[k] == vertex ? at.weights[k] : 0;
+            }
+            ASSERT_NEAR(weight, 1, 2e-3F);
+            // Towards an edge, face or corner of the eight cells at most its other vertices have a share.
+            const Vec3 cells = 2.0F * Vec3(sequence(i, 0), sequence(i, 1), sequence(i, 2)) - Vec3(1.0F);
+            const std::uint32_t cell = grid.cell_at(grid.near_vertex(vertex, cells));
+            const std::uint32_t own = grid.cell_at(grid.near_vertex(vertex, 0.5F * cells));
+            ASSERT_EQ(cell, own);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace gg
