@@ -119,7 +119,13 @@ class GridgatherPreferences(bpy.types.AddonPreferences):
             self.layout.label(text=f"Library {interface.load().gg_version().decode()}", icon="CHECKMARK")
 
 
-_classes = [GRIDGATHER_PT_settings, GRIDGATHER_PT_gather, GRIDGATHER_PT_diagnostic_passes, GRIDGATHER_PT_messages, GridgatherPreferences]
+_classes = [
+    GRIDGATHER_PT_settings,
+    GRIDGATHER_PT_gather,
+    GRIDGATHER_PT_diagnostic_passes,
+    GRIDGATHER_PT_messages,
+    GridgatherPreferences,
+]
 _from_cycles = []
 
 

@@ -51,9 +51,9 @@ class FreeSpaceClassifier {
   private:
     struct Candidate {
         NodeId sender = kNone;
-        float importance = 0;        // share of all unoccluded irradiance [eq. 1]
-        float least = 0, most = 0;   // unoccluded irradiance over the points, luminance, W/m2
-        Rgb irradiance{0.0F};        // mean, of a plane that faces the mean direction
+        float importance = 0;       // share of all unoccluded irradiance [eq. 1]
+        float least = 0, most = 0;  // unoccluded irradiance over the points, luminance, W/m2
+        Rgb irradiance{0.0F};       // mean, of a plane that faces the mean direction
         Vec3 direction{0.0F};
         std::uint32_t first_ray = 0, ray_count = 0;
     };

@@ -3,7 +3,7 @@ gg_test(gather_tests
                 gather/gather_test.cpp
                 gather/light_jumps_test.cpp gather/perspective_grid_test.cpp gather/sender_cut_test.cpp
                 gather/sender_place_test.cpp gather/sender_points_test.cpp gather/surroundings_test.cpp
-                oracles/path_irradiance.cpp support/clouds.cpp support/face_points.cpp support/law_scenes.cpp
+                oracles/path_irradiance.cpp oracles/solution_irradiance.cpp support/clouds.cpp support/face_points.cpp support/law_scenes.cpp
                 support/meshes.cpp support/test_scenes.cpp
         LAYERS core image scene material trace transport radiosity film gather)
 target_include_directories(gather_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
