@@ -134,7 +134,7 @@ class Settings:
     depth_law: int = DEPTH_LOGARITHMIC
     cell_size: float = 20.0
     threshold: float = 0.03
-    gather_samples: int = 256
+    gather_samples: int = 512
 
 
 @dataclass

@@ -17,7 +17,7 @@
 namespace gg {
 
 struct ClassifySettings {
-    int samples = 256;         // visibility rays of a point, N of eq. 1, where it is as bright as the mean
+    int samples = 512;         // visibility rays of a point, N of eq. 1, where it is as bright as the mean
     float threshold = 0.03F;   // error that one sender may have, as a share of the local radiosity
     float mean_radiosity = 0;  // of what is seen, W/m2; 0: unknown
     float sky_leaf = 0.015F;   // irradiance of a part of the sky that has one ray, as a share of all

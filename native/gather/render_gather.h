@@ -17,7 +17,7 @@ struct GatherSettings {
     DepthLaw law = DepthLaw::kLogarithmic;
     float cell = 20;  // side of a grid cell, pixels of a picture that is 350 pixels high, or wide if that is less
     float threshold = 0.03F;  // see ClassifySettings
-    int samples = 256;        // the same
+    int samples = 512;        // the same
 };
 
 // All of these fill every tile of the film, report stage progress, and throw Cancelled.

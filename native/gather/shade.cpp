@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kAlmost = 0.9999F;        // of the way to a sender
 constexpr float kShareOfSamples = 0.75F;  // power of a fragment's share by which its samples are fewer
-constexpr float kMostSamples = 256;       // of an element or a lamp
+constexpr float kMostSamples = 1024;      // of an element or a lamp
 
 // Calls body(key) for every key of several ascending lists, in ascending order; body has to move on in the lists
 // that stand there.

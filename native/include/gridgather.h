@@ -209,7 +209,7 @@ typedef struct gg_settings {
     int32_t depth_law;        /* gg_depth_law */
     float cell_size;          /* of the gather's grid, pixels of a picture whose shorter side has 350; 0: 20; 4..200 */
     float threshold;          /* error that one sender may have, share of the local radiosity; 0: 0.03; 1e-4..1 */
-    uint32_t gather_samples;  /* visibility rays from a point, about; 0: 256; 16..4096 */
+    uint32_t gather_samples;  /* visibility rays from a point, about; 0: 512; 16..4096 */
 } gg_settings;
 
 /* Copies what it needs, validates, starts the work on the library's own threads and returns at once. Lighting that an
