@@ -18,7 +18,8 @@ PRESETS = {
     "DRAFT": _STANDARD | {"quality": 0.08, "threshold": 10.0, "gather_samples": 128, "cell_size": 28.0},
     "PREVIEW": _STANDARD | {"quality": 0.04, "threshold": 5.0, "gather_samples": 256},
     "FINAL": _STANDARD,
-    "PAPER": _STANDARD | {"threshold": 1.4, "gather_samples": 256, "receivers": "FREE_SPACE", "depth_law": "RECIPROCAL"},
+    "PAPER": _STANDARD
+    | {"threshold": 1.4, "gather_samples": 256, "receivers": "FREE_SPACE", "depth_law": "RECIPROCAL"},
 }
 
 
