@@ -6,7 +6,7 @@ from unittest.mock import MagicMock
 import addon_utils
 import bpy
 import pytest
-from gridgather import bl_info, interface, messages, panels
+from gridgather import bl_info, interface, messages, panels, passes
 from nodeitems_utils import node_categories_iter
 
 
@@ -53,6 +53,17 @@ def test_settings_panel():
     layout = drawn(panels.GRIDGATHER_PT_settings)
     assert [call.args[1] for call in layout.prop.call_args_list][:4] == ["preset", "method", "quality", "samples"]
     assert labels(layout) == []
+
+
+def test_gather_panel():
+    layout = drawn(panels.GRIDGATHER_PT_gather)
+    names = [call.args[1] for call in (*layout.prop.call_args_list, *layout.column().prop.call_args_list)]
+    assert names == ["gather_samples", "threshold", "cell_size", "receivers", "depth_law"]
+
+
+def test_diagnostic_passes_panel():
+    layout = drawn(panels.GRIDGATHER_PT_diagnostic_passes, view_layer=bpy.context.view_layer)
+    assert [call.args[1] for call in layout.column().prop.call_args_list] == list(passes.PROPERTIES)
 
 
 def test_settings_panel_and_preferences_say_why_the_library_is_missing(monkeypatch, tmp_path):

@@ -38,6 +38,14 @@ _FROM_CYCLES = {
 }
 
 
+def _split_layout(panel):
+    """The panel's layout with names beside their fields, as in Blender's own panels."""
+    layout = panel.layout
+    layout.use_property_split = True
+    layout.use_property_decorate = False
+    return layout
+
+
 class _RenderPanel:
     bl_space_type = "PROPERTIES"
     bl_region_type = "WINDOW"
@@ -52,12 +60,10 @@ class GRIDGATHER_PT_settings(_RenderPanel, Panel):
     bl_label = "Gridgather"
 
     def draw(self, context):
-        layout = self.layout
+        layout = _split_layout(self)
         failure = interface.failure()
         if failure:
             layout.label(text=failure, icon="ERROR")
-        layout.use_property_split = True
-        layout.use_property_decorate = False
         settings = context.scene.gridgather
         for name in ("preset", "method", "quality", "samples"):
             layout.prop(settings, name)
@@ -70,9 +76,7 @@ class GRIDGATHER_PT_gather(_RenderPanel, Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
-        layout = self.layout
-        layout.use_property_split = True
-        layout.use_property_decorate = False
+        layout = _split_layout(self)
         settings = context.scene.gridgather
         layout.active = settings.method != "SOLUTION"
         layout.prop(settings, "gather_samples")
@@ -88,10 +92,7 @@ class GRIDGATHER_PT_diagnostic_passes(_RenderPanel, Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
-        layout = self.layout
-        layout.use_property_split = True
-        layout.use_property_decorate = False
-        column = layout.column(heading="Include")
+        column = _split_layout(self).column(heading="Include")
         for name in passes.PROPERTIES:
             column.prop(context.view_layer.gridgather, name)
 

@@ -191,7 +191,10 @@ Site FreeSpaceClassifier::classify(const FreeSpace& space) {
     const float world = luminance(hierarchy_of(solution_).scene().world);
     if (world > 0) {
         surroundings_.look_from(space.receivers);
+        counts_.near_rays += surroundings_.ray_count();
+        const std::size_t sky_rays = sky_.ray_count();
         sky_.find(space.receivers, surroundings_, settings_.sky_leaf * irradiance / world, site.leaves, site.table);
+        counts_.visibility_rays += sky_.ray_count() - sky_rays;
     }
     counts_.points += 1;
     counts_.senders += cut_.senders.size();

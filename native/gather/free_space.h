@@ -31,7 +31,7 @@ class HitCounter {
 // What surrounds a grid vertex.
 struct FreeSpace {
     Vec3 vertex{0.0F};
-    std::span<const Vec3> points;         // in the cells around it
+    std::vector<Vec3> points;             // in the cells around it
     std::span<const Receiver> receivers;  // what is seen there: links, reflectance and the local radiosity are theirs
 };
 

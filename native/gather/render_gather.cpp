@@ -23,8 +23,6 @@ namespace {
 constexpr float kStandardHeight = 350;  // pixels, of pictures that settings are meant for
 constexpr std::size_t kSitesAtOnce = 64;
 constexpr std::uint64_t kFreeSpaceSeed = 0x66726565;
-constexpr int kHalvings = 2;           // of fragments in which light jumps
-constexpr float kQuartersJump = 0.5F;  // of the pixel's light, between parts that are divided further
 
 // What the radiosity solution says of a fragment, luminance [W/m2].
 float expected_irradiance(const Solution& solution, const Fragment& at) {
@@ -65,35 +63,25 @@ class FullGatherer : public Gatherer {
     FullGather gather_;
 };
 
-// Points in the cells around every grid vertex.
-class FreeSpacePoints {
-  public:
-    FreeSpacePoints(const PerspectiveGrid& grid, const GridReceivers& receivers) : grid_(grid), receivers_(receivers) {}
-
-    [[nodiscard]] FreeSpace of(std::size_t site) const {
-        const std::uint32_t vertex = receivers_.vertex_of(site);
-        const Sequence4 places(hash64(vertex, kFreeSpaceSeed));
-        static thread_local std::vector<Vec3> points;
-        points.clear();
-        for (std::uint32_t i = 0; i < FreeSpaceClassifier::kMostPoints; ++i) {
-            points.push_back(
-                grid_.near_vertex(vertex, 2.0F * Vec3(places(i, 0), places(i, 1), places(i, 2)) - Vec3(1.0F)));
-        }
-        return {grid_.near_vertex(vertex, Vec3(0.0F)), points, receivers_.of(site)};
+// Points in the cells around a site's vertex.
+FreeSpace free_space_around(const PerspectiveGrid& grid, const GridReceivers& receivers, std::size_t site) {
+    const std::uint32_t vertex = receivers.vertex_of(site);
+    const Sequence4 places(hash64(vertex, kFreeSpaceSeed));
+    FreeSpace space{grid.near_vertex(vertex, Vec3(0.0F)), {}, receivers.of(site)};
+    for (std::uint32_t i = 0; i < FreeSpaceClassifier::kMostPoints; ++i) {
+        space.points.push_back(
+            grid.near_vertex(vertex, 2.0F * Vec3(places(i, 0), places(i, 1), places(i, 2)) - Vec3(1.0F)));
     }
-
-  private:
-    const PerspectiveGrid& grid_;
-    const GridReceivers& receivers_;
-};
+    return space;
+}
 
 // All sites, by classifiers that make() gives, one for a block of them.
-template <typename OneClassifier, typename Make, typename Classify>
+template <typename Make, typename Classify>
 GatherCounts make_sites(const Make& make, const Classify& classify, std::vector<Site>& sites, const Control& control) {
     std::mutex mutex;
     GatherCounts total;
     parallel_blocks(sites.size(), kSitesAtOnce, control, [&](std::size_t begin, std::size_t end) {
-        OneClassifier classifier = make();
+        auto classifier = make();
         for (std::size_t i = begin; i < end; ++i) {
             control.check_cancel();
             sites[i] = classify(classifier, i);
@@ -183,16 +171,16 @@ ViewCounts grid_gather(const Solution& solution, const View& view, const GatherS
         classify.mean_radiosity = receivers.mean_radiosity();
         GatherCounts total;
         if (settings.free_space) {
-            const FreeSpacePoints free_space(grid, receivers);
-            total = make_sites<FreeSpaceClassifier>(
-                [&] { return FreeSpaceClassifier(solution, order, points, view.tracer, classify); },
-                [&](FreeSpaceClassifier& classifier, std::size_t i) { return classifier.classify(free_space.of(i)); },
-                sites, control);
+            total = make_sites([&] { return FreeSpaceClassifier(solution, order, points, view.tracer, classify); },
+                               [&](FreeSpaceClassifier& classifier, std::size_t i) {
+                                   return classifier.classify(free_space_around(grid, receivers, i));
+                               },
+                               sites, control);
         } else {
-            total = make_sites<Classifier>(
-                [&] { return Classifier(solution, order, points, view.tracer, classify); },
-                [&](Classifier& classifier, std::size_t i) { return classifier.classify(receivers.of(i)); }, sites,
-                control);
+            total =
+                make_sites([&] { return Classifier(solution, order, points, view.tracer, classify); },
+                           [&](Classifier& classifier, std::size_t i) { return classifier.classify(receivers.of(i)); },
+                           sites, control);
         }
         report_sites(total, grid, statistics);
     }
