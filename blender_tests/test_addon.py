@@ -58,7 +58,7 @@ def test_settings_panel():
 def test_gather_panel():
     layout = drawn(panels.GRIDGATHER_PT_gather)
     names = [call.args[1] for call in (*layout.prop.call_args_list, *layout.column().prop.call_args_list)]
-    assert names == ["gather_samples", "threshold", "cell_size", "receivers", "depth_law"]
+    assert names == ["gather_samples", "threshold", "cell_size", "use_surface_sites", "receivers", "depth_law"]
 
 
 def test_diagnostic_passes_panel():

@@ -12,6 +12,8 @@ from gridgather.description import (
     DEPTH_RECIPROCAL,
     RECEIVERS_FREE_SPACE,
     RECEIVERS_VISIBLE,
+    SITES_GRID,
+    SITES_SURFACES_AND_GRID,
     Settings,
 )
 from gridgather.export import ExportError
@@ -128,6 +130,8 @@ def test_paper_is_as_published_and_final_comes_back(scene):
     assert (standard.receivers, standard.depth_law) == (RECEIVERS_VISIBLE, DEPTH_LOGARITHMIC)
     scene.gridgather.preset = "FINAL"
     assert export().settings == standard
+    scene.gridgather.use_surface_sites = False
+    assert (standard.sites, export().settings.sites) == (SITES_SURFACES_AND_GRID, SITES_GRID)
     own, library = (
         (each.quality, each.threshold, each.cell_size, each.gather_samples) for each in (standard, Settings(1, 1, ()))
     )

@@ -20,7 +20,7 @@ def test_point_lamp():
     light = only_light()
     assert light.type == description.LIGHT_POINT
     assert light.power == pytest.approx((50, 25, 12.5))
-    assert light.radius == pytest.approx(0.3)
+    assert light.radius == pytest.approx(0.3) and light.soft_falloff
     assert light.matrix[3::4] == (1, 2, 3)
 
 

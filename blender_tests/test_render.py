@@ -31,6 +31,19 @@ def test_sun_of_irradiance_pi_on_a_half_grey_floor_is_half(lit):
     assert pixels[..., :3] == pytest.approx(np.full((48, 64, 3), 0.5), rel=0.01)
 
 
+@pytest.mark.parametrize("surfaces", [True, False])
+def test_cells_are_never_smaller_than_four_pixels(lit, surfaces):
+    """Parts of a pixel would lie in cells in which nothing else was seen."""
+    link(quad("Roof", size=1), location=(0.3, 0.2, 1), rotation_euler=(0.2, 0.1, 0.5))
+    bpy.data.objects["Roof"].visible_camera = False
+    own = lit.gridgather
+    own.use_surface_sites = surfaces
+    pictures = []
+    for own.cell_size in (4, 29, 60):  # of a picture 350 pixels high: 0.5, 4 and 8 pixels of this one
+        pictures.append(render_pixels(lit, "GRIDGATHER"))
+    assert (pictures[0] == pictures[1]).all() and (pictures[1] != pictures[2]).any()
+
+
 def test_statistics_by_view_layer(lit):
     lit.view_layers.new("Second")
     render_pixels(lit, "GRIDGATHER")
@@ -112,6 +125,8 @@ def test_diagnostic_passes_tell_what_pixels_took(lit):
     assert rays.sum() == counts["visibility rays"] + counts["near rays"] > 0
     assert found["Form Factor Samples"].sum() == counts["form factors"]
     assert 0 <= senders.min() and senders.max() <= counts["resampled senders"]
+    on_surface = found["Surface Sites"]
+    assert 0 <= on_surface.min() and on_surface.max() <= 1
     lines = found["Cell Lines"]
     assert set(np.unique(lines)) == {0, 1} and 0.05 < lines.mean() < 0.8
 

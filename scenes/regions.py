@@ -35,12 +35,7 @@ class Region(NamedTuple):
 def regions_file(name):
     """The .npz of a scene's regions at the truth's size, made by region_masks.py when the scene has changed."""
     path = files.BUILD / "scenes" / f"{name}-{files.scene_hash(name)}-regions.npz"
-    if not path.exists():
-        partial = path.with_suffix(".partial.npz")
-        files.run_blender([files.scene_file(name), "--python", files.SCENES / "region_masks.py", "--",
-                           partial, files.TRUTH_PERCENT])
-        partial.rename(path)
-    return path
+    return files.made(path, [files.scene_file(name), "--python", files.SCENES / "region_masks.py"], files.TRUTH_PERCENT)
 
 
 def inner_masks(masks):

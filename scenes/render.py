@@ -13,15 +13,22 @@ import scene_files as files
 
 # from the exported arrays to converged light
 SOLVE_STAGES = ("build scene", "textures", "trace: build", "clusters", "refine", "gather", "faces", "interpolate")
+# from converged light to the picture
+GATHER_STAGES = ("visible points", "classification", "shading")
+
 
 def parse(arguments):
     parser = argparse.ArgumentParser(prog="scenes/render", description=__doc__.splitlines()[0])
     parser.add_argument("scene", choices=files.scene_names())
     parser.add_argument("--engine", default="GRIDGATHER", help="GRIDGATHER or CYCLES")
     parser.add_argument("--percent", type=int, default=100, help="size of the picture, of the scene's own")
+    parser.add_argument("--size", help="the picture's own size in pixels instead of the scene's: WIDTHxHEIGHT")
     parser.add_argument("--preset", help="scene.gridgather.preset: DRAFT, PREVIEW, FINAL or PAPER")
     parser.add_argument("--method", help="scene.gridgather.method")
     parser.add_argument("--quality", type=float, help="scene.gridgather.quality")
+    parser.add_argument("--threshold", type=float, help="scene.gridgather.threshold")
+    parser.add_argument("--gather-samples", type=int, help="scene.gridgather.gather_samples")
+    parser.add_argument("--cell-size", type=float, help="scene.gridgather.cell_size")
     parser.add_argument("--samples", type=int, help="samples a pixel")
     parser.add_argument("--threads", type=int, help="number of threads (default: all)")
     parser.add_argument("--out", type=Path, default=files.BUILD / "renders", help="folder of the pictures")
@@ -31,8 +38,10 @@ def parse(arguments):
 def output_stem(options):
     """Path of the products without their suffix; it names every option that changes the picture."""
     parts = [options.scene, options.engine, options.preset, options.method]
-    parts += [f"q{options.quality}" if options.quality else None, f"s{options.samples}" if options.samples else None]
-    parts += [f"{options.percent}pc" if options.percent != 100 else None]
+    parts += [f"{letter}{value}" for letter, value in (("q", options.quality), ("t", options.threshold),
+                                                       ("g", options.gather_samples), ("c", options.cell_size),
+                                                       ("s", options.samples)) if value]
+    parts += [options.size, f"{options.percent}pc" if options.percent != 100 else None]
     return options.out.absolute() / "-".join(str(part).lower() for part in parts if part)
 
 
@@ -44,14 +53,13 @@ def render(options):
 def render_file(blend, stem, options):
     """Render a .blend file; the products' paths are `stem` and a suffix.
 
-    Returns {"exr", "png": path, "whole", "render": seconds, "peak": bytes, "statistics": {view layer: table}}.
+    Returns {"exr", "png": path, "whole", "render", "work": seconds, "peak": bytes, "statistics": {view layer: table}}.
     """
     stem.parent.mkdir(parents=True, exist_ok=True)
     products = {kind: stem.with_name(f"{stem.name}.{kind}") for kind in ("exr", "png", "json")}
     for product in products.values():
         product.unlink(missing_ok=True)
-    wishes = {key: getattr(options, key) for key in ("engine", "percent", "preset", "method", "quality", "samples",
-                                                     "threads")}
+    wishes = {key: value for key, value in vars(options).items() if key not in ("scene", "out")}
     wishes.update(exr=str(products["exr"]), png=str(products["png"]), json=str(products["json"]))
     arguments = ["--addons", "gridgather"] if options.engine == "GRIDGATHER" else []
     arguments += [blend, "--python", files.SCENES / "render_scene.py", "--", json.dumps(wishes)]
@@ -79,8 +87,17 @@ def stages(result):
     return next(iter(result["statistics"].values()), {}).get("stages", {})
 
 
+def counts(result):
+    """{what: how many} of a render's only view layer; empty for other engines."""
+    return next(iter(result["statistics"].values()), {}).get("counts", {})
+
+
 def solve_seconds(result):
     return sum(seconds for stage, seconds in stages(result).items() if stage in SOLVE_STAGES)
+
+
+def gather_seconds(result):
+    return sum(seconds for stage, seconds in stages(result).items() if stage in GATHER_STAGES)
 
 
 def report(result):

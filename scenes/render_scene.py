@@ -1,7 +1,8 @@
 """The part of scenes/render that runs in Blender: blender -b SCENE.blend --python render_scene.py -- JSON
 
-JSON holds the wishes (engine, percent, preset, method, quality, samples, threads; null: as the scene has it) and the
-paths to write: exr, png, json (the time of the render, the process's peak memory in bytes, the engine's statistics).
+JSON holds the wishes (engine, percent, size, threads, the settings of the engine by their names; null: as the scene has
+it) and the paths to write: exr, png, json (seconds of the render, of all processors' work for it, the peak memory in
+bytes, the statistics).
 """
 import json
 import resource
@@ -14,12 +15,14 @@ import bpy
 def set_up(scene, wishes):
     scene.render.engine = wishes["engine"]
     scene.render.resolution_percentage = wishes["percent"]
+    if wishes["size"]:
+        scene.render.resolution_x, scene.render.resolution_y = map(int, wishes["size"].split("x"))
     if wishes["threads"]:
         scene.render.threads_mode, scene.render.threads = "FIXED", wishes["threads"]
     if wishes["engine"] == "CYCLES":
         scene.cycles.use_denoising = False  # not every Blender is built with the denoiser
     settings = scene.gridgather if wishes["engine"] == "GRIDGATHER" else scene.cycles
-    for name in ("preset", "method", "quality", "samples"):
+    for name in ("preset", "method", "quality", "threshold", "gather_samples", "cell_size", "samples"):
         if wishes[name] is not None:
             if not hasattr(settings, name):
                 raise ValueError(f"{wishes['engine']} has no setting {name!r}")
@@ -37,15 +40,15 @@ def main():
     wishes = json.loads(sys.argv[sys.argv.index("--") + 1])
     scene = bpy.context.scene
     set_up(scene, wishes)
-    start = time.monotonic()
+    start, work = time.monotonic(), time.process_time()
     bpy.ops.render.render()  # raises when the engine reports an error
-    seconds = time.monotonic() - start
+    seconds, work = time.monotonic() - start, time.process_time() - work
     write(scene, wishes["exr"], "OPEN_EXR", "32")
     write(scene, wishes["png"], "PNG", "8")
     statistics = json.loads(getattr(scene, "gridgather_statistics", "") or "{}")
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
     with open(wishes["json"], "w") as file:
-        json.dump({"render": seconds, "peak": peak, "statistics": statistics}, file)
+        json.dump({"render": seconds, "work": work, "peak": peak, "statistics": statistics}, file)
 
 
 main()

@@ -7,6 +7,7 @@ import os
 import re
 import shlex
 import subprocess
+import sys
 from pathlib import Path
 
 SCENES = Path(__file__).resolve().parent
@@ -18,6 +19,12 @@ TRUTH_PERCENT = 50  # of the scene's own picture size
 
 class SceneError(Exception):
     """Something the user can mend; the message says what."""
+
+
+def set_up():
+    """Install and build what is missing, unless GRIDGATHER_SETUP=done in the environment says that it has been done."""
+    if os.environ.get("GRIDGATHER_SETUP") != "done":
+        subprocess.run([SCENES / "setup"], check=True, stdout=sys.stderr)
 
 
 def scene_names():
@@ -58,10 +65,27 @@ def run_blender(arguments, environment=None):
 
 def scene_file(name):
     """The scene's .blend, built when its sources have changed."""
-    path = BUILD / "scenes" / f"{name}-{scene_hash(name)}.blend"
+    return made(BUILD / "scenes" / f"{name}-{scene_hash(name)}.blend", ["--python", SCENES / f"{name}.py"])
+
+
+def variant_file(name, script):
+    """The scene's .blend as a script of this folder changes it: SCRIPT.py is run in it with the path to save to."""
+    path = BUILD / "scenes" / f"{name}-{script}-{scene_hash(name)}-{sources_hash(script)}.blend"
+    return made(path, [scene_file(name), "--python", SCENES / f"{script}.py"])
+
+
+def cycles_picture(blend, samples, seed=1):
+    """The 32-bit picture by cycles_reference.py of a .blend whose name has its hash, at TRUTH_PERCENT; made once."""
+    path = BUILD / "truth" / f"{blend.stem}-{samples}-seed{seed}.exr"
+    return made(path, [blend, "--python", SCENES / "cycles_reference.py"], samples, TRUTH_PERCENT, seed)
+
+
+def made(path, command, *more):
+    """`path`; if there is no such file, Blender makes it: its arguments are `command`, `--`, where to write, `more`."""
     if not path.exists():
-        partial = path.with_suffix(".partial.blend")
-        run_blender(["--python", SCENES / f"{name}.py", "--", partial])
+        path.parent.mkdir(parents=True, exist_ok=True)
+        partial = path.with_suffix(f".partial{path.suffix}")
+        run_blender([*command, "--", partial, *more])
         partial.rename(path)
     return path
 

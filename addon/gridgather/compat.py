@@ -35,6 +35,11 @@ def casts_shadow(light) -> bool:
     return getattr(getattr(light, "cycles", None), "cast_shadow", light.use_shadow)
 
 
+def has_soft_falloff(light) -> bool:
+    """Whether a point or spot lamp is a disk that faces every receiver; before Blender 4.1 it always is."""
+    return getattr(light, "use_soft_falloff", True)
+
+
 def light_factor(light, area: float) -> tuple[float, float, float]:
     """What a lamp's power is multiplied by to have the library's units: those of Cycles 3.4, but an exact sun.
 

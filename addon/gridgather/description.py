@@ -18,6 +18,7 @@ LIGHT_POINT, LIGHT_SPOT, LIGHT_SUN, LIGHT_AREA = range(4)
 AREA_RECTANGLE, AREA_ELLIPSE = 0, 1
 CAMERA_PERSPECTIVE, CAMERA_ORTHOGRAPHIC = 0, 1
 METHOD_GATHER, METHOD_SOLUTION, METHOD_FULL = 0, 1, 2
+SITES_SURFACES_AND_GRID, SITES_GRID = 0, 1
 RECEIVERS_VISIBLE, RECEIVERS_FREE_SPACE = 0, 1
 DEPTH_LOGARITHMIC, DEPTH_RECIPROCAL = 0, 1
 PIXEL_BLACKMAN_HARRIS, PIXEL_GAUSS, PIXEL_BOX = range(3)
@@ -99,6 +100,7 @@ class Light:
     power: tuple[float, float, float]
     stable_id: int
     radius: float = 0.0
+    soft_falloff: bool = False
     size_x: float = 0.0
     size_y: float = 0.0
     shape: int = AREA_RECTANGLE
@@ -130,6 +132,7 @@ class Settings:
     film_transparent: bool = False
     threads: int = 0
     passes: int = 0  # bits, see passes.py
+    sites: int = SITES_SURFACES_AND_GRID
     receivers: int = RECEIVERS_VISIBLE
     depth_law: int = DEPTH_LOGARITHMIC
     cell_size: float = 20.0

@@ -4,7 +4,7 @@ import ctypes
 import os
 from ctypes import POINTER, c_char, c_char_p, c_float, c_int, c_int32, c_uint32, c_uint64, c_void_p
 
-INTERFACE_VERSION = 2
+INTERFACE_VERSION = 3
 LIBRARY_PATH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "libgridgather.so")
 
 OK, CANCELLED = 0, 1
@@ -72,6 +72,7 @@ class Light(ctypes.Structure):
         ("matrix", c_float * 12),
         ("power", c_float * 3),
         ("radius", c_float),
+        ("soft_falloff", c_int32),
         ("size_x", c_float),
         ("size_y", c_float),
         ("shape", c_int32),
@@ -106,6 +107,7 @@ class Settings(ctypes.Structure):
         ("film_transparent", c_int32),
         ("threads", c_int32),
         ("passes", c_uint32),
+        ("sites", c_int32),
         ("receivers", c_int32),
         ("depth_law", c_int32),
         ("cell_size", c_float),

@@ -82,7 +82,7 @@ class GRIDGATHER_PT_gather(_RenderPanel, Panel):
         layout.prop(settings, "gather_samples")
         column = layout.column()
         column.active = settings.method == "GATHER"
-        for name in ("threshold", "cell_size", "receivers", "depth_law"):
+        for name in ("threshold", "cell_size", "use_surface_sites", "receivers", "depth_law"):
             column.prop(settings, name)
 
 

@@ -9,6 +9,7 @@ _DIAGNOSTICS = (
     ("use_form_factor_samples", "Form Factor Samples", 2),
     ("use_resampled_senders", "Resampled Senders", 4),
     ("use_cell_lines", "Cell Lines", 8),
+    ("use_surface_site_share", "Surface Sites", 16),
 )
 PROPERTIES = tuple(name for name, _, _ in _DIAGNOSTICS)
 
@@ -27,6 +28,11 @@ class GridgatherLayerSettings(bpy.types.PropertyGroup):
     )
     use_cell_lines: BoolProperty(
         name="Cell Lines", description="1 where a cell of the grid over the picture ends, elsewhere 0"
+    )
+    use_surface_site_share: BoolProperty(
+        name="Surface Sites",
+        description="1 where light is interpolated over the surface itself, 0 where by the grid, in between where one "
+        "fades into the other",
     )
 
 

@@ -1,7 +1,7 @@
 """scene.gridgather: the settings; scene.gridgather_statistics: what the last render measured."""
 
 import bpy
-from bpy.props import EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
 from . import messages
 
@@ -94,6 +94,12 @@ class GridgatherSettings(bpy.types.PropertyGroup):
         precision=0,
         description="Side of a cell of the grid over the picture, in pixels of a picture 350 pixels high; larger "
         "pictures have larger cells",
+    )
+    use_surface_sites: BoolProperty(
+        name="Surface Sites",
+        default=True,
+        description="Interpolate light over surfaces whose triangles are larger than cells of the grid. Otherwise the "
+        "grid does for everything",
     )
     receivers: EnumProperty(
         name="Receivers",

@@ -84,6 +84,7 @@ class Render(_Handle):
             film_transparent=int(settings.film_transparent),
             threads=settings.threads,
             passes=settings.passes,
+            sites=settings.sites,
             receivers=settings.receivers,
             depth_law=settings.depth_law,
             cell_size=settings.cell_size,

@@ -136,6 +136,7 @@ def _add_light(target: Scene, light: description.Light) -> None:
         shape=light.shape,
         spot_angle=light.spot_angle,
         spot_blend=light.spot_blend,
+        soft_falloff=int(light.soft_falloff),
         angle=light.angle,
         stable_id=light.stable_id,
     )

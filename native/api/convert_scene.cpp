@@ -122,6 +122,7 @@ LightDescription convert(const gg_light& light) {
     result.shape = static_cast<AreaShape>(light.shape);
     result.spot_angle = light.spot_angle;
     result.spot_blend = light.spot_blend;
+    result.soft_falloff = light.soft_falloff != 0;
     result.angle = light.angle;
     result.stable_id = light.stable_id;
     return result;

@@ -70,6 +70,7 @@ RenderSettings convert_settings(const gg_camera* camera, const gg_settings& sett
     require(settings.height >= 1 && settings.height <= kLargestPicture, "height is out of range");
     require(settings.samples <= 256, "samples are out of range");
     require(settings.filter_type >= 0 && settings.filter_type <= 2, "unknown filter_type");
+    require(settings.sites >= 0 && settings.sites <= GG_SITES_GRID, "unknown sites");
     require(settings.receivers >= 0 && settings.receivers <= GG_RECEIVERS_FREE_SPACE, "unknown receivers");
     require(settings.depth_law >= 0 && settings.depth_law <= GG_DEPTH_RECIPROCAL, "unknown depth_law");
     require(settings.gather_samples == 0 || (settings.gather_samples >= 16 && settings.gather_samples <= 4096),
@@ -91,6 +92,7 @@ RenderSettings convert_settings(const gg_camera* camera, const gg_settings& sett
     result.filter_width = number(settings.filter_width, 1.5F, 0.01F, 100, "filter_width is out of range");
     result.quality = number(settings.quality, 0.02F, 0.001F, 1, "quality is out of range");
     const GatherSettings standard;
+    result.gather.surfaces = settings.sites == GG_SITES_SURFACES_AND_GRID;
     result.gather.free_space = settings.receivers == GG_RECEIVERS_FREE_SPACE;
     result.gather.law = settings.depth_law == GG_DEPTH_RECIPROCAL ? DepthLaw::kReciprocal : DepthLaw::kLogarithmic;
     result.gather.cell = number(settings.cell_size, standard.cell, 4, 200, "cell_size is out of range");

@@ -34,4 +34,8 @@ Vec3 PixelCamera::project(Vec3 point) const {
             depth};
 }
 
+Vec3 PixelCamera::direction_to(Vec3 point) const {
+    return perspective_ ? normalize_or_zero(point - position_) : forward_;
+}
+
 }  // namespace gg

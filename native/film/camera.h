@@ -22,6 +22,9 @@ class PixelCamera {
     // camera x and y mean nothing.
     [[nodiscard]] Vec3 project(Vec3 point) const;
 
+    // Unit, in which the camera sees a point.
+    [[nodiscard]] Vec3 direction_to(Vec3 point) const;
+
     [[nodiscard]] bool is_perspective() const { return perspective_; }
     // Side of a pixel, m, across the view direction at that depth.
     [[nodiscard]] float pixel_size(float depth) const { return perspective_ ? pixel_size_ * depth : pixel_size_; }

@@ -8,10 +8,10 @@
 namespace gg {
 
 // In the order of the bits of gg_settings::passes.
-enum class Pass : std::uint8_t { kVisibilitySamples, kFormFactorSamples, kResampledSenders, kCellLines };
-inline constexpr std::uint32_t kPassCount = 4;
-inline constexpr std::array<std::string_view, kPassCount> kPassNames{"Visibility Samples", "Form Factor Samples",
-                                                                     "Resampled Senders", "Cell Lines"};
+enum class Pass : std::uint8_t { kVisibilitySamples, kFormFactorSamples, kResampledSenders, kCellLines, kSurfaceSites };
+inline constexpr std::uint32_t kPassCount = 5;
+inline constexpr std::array<std::string_view, kPassCount> kPassNames{
+    "Visibility Samples", "Form Factor Samples", "Resampled Senders", "Cell Lines", "Surface Sites"};
 
 // Which of them are wanted: a bit each.
 struct PassSet {

@@ -18,12 +18,11 @@ Variety PixelBuilder::add(std::span<const Ray> rays, std::span<const Hit> hits) 
     PixelFragments pixel;
     pixel.samples = static_cast<std::uint32_t>(rays.size());
     const std::uint32_t kept = collect(rays, hits, pixel);
-    const float share = 1 / static_cast<float>(rays.size());
-    pixel.emitted *= share;
-    pixel.alpha *= share;
-    pixel.kept = share * static_cast<float>(kept);
+    pixel.emitted *= share_;
+    pixel.alpha *= share_;
+    pixel.kept = share_ * static_cast<float>(kept);
     for (const Part& part : parts_) {
-        out_.fragments.push_back(fragment_of(part.places, part.fragment, share));
+        out_.fragments.push_back(fragment_of(part.places, part.fragment, share_));
     }
     pixel.end = static_cast<std::uint32_t>(out_.fragments.size());
     out_.pixels.push_back(pixel);
@@ -34,10 +33,9 @@ Variety PixelBuilder::add(std::span<const Ray> rays, std::span<const Hit> hits) 
 std::vector<FragmentPart> PixelBuilder::divide(std::span<const Ray> rays, std::span<const Hit> hits, int halvings) {
     PixelFragments pixel;
     collect(rays, hits, pixel);
-    const float share = 1 / static_cast<float>(rays.size());
     std::vector<FragmentPart> result;
     for (std::uint32_t k = 0; k < parts_.size(); ++k) {
-        divide(parts_[k].places, halvings, {parts_[k].fragment, k}, share, result);
+        divide(parts_[k].places, halvings, {parts_[k].fragment, k}, share_, result);
     }
     return result;
 }
@@ -46,6 +44,7 @@ std::vector<FragmentPart> PixelBuilder::divide(std::span<const Ray> rays, std::s
 std::uint32_t PixelBuilder::collect(std::span<const Ray> rays, std::span<const Hit> hits, PixelFragments& pixel) {
     parts_.clear();
     variety_ = {};
+    share_ = 1 / static_cast<float>(rays.size());
     std::uint32_t kept = 0;
     for (std::size_t sample = 0; sample < rays.size(); ++sample) {
         kept += add_sample(rays[sample], hits[sample], pixel) ? 1 : 0;
@@ -69,7 +68,7 @@ bool PixelBuilder::add_sample(const Ray& ray, const Hit& hit, PixelFragments& pi
         place.point.geometric_normal = -place.point.geometric_normal;
         place.point.shading_normal = -place.point.shading_normal;
     }
-    const SampleColors colors = colors_at(view_, ray, hit);
+    const SampleColors colors = colors_at(view_, ray, hit, share_);
     if (!is_finite(colors.albedo) || !is_finite(colors.emission)) {
         return false;
     }

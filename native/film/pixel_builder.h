@@ -66,6 +66,7 @@ class PixelBuilder {
     TileFragments& out_;
     std::vector<Part> parts_;
     Variety variety_;
+    float share_ = 0;  // of a sample
 };
 
 }  // namespace gg

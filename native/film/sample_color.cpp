@@ -24,7 +24,7 @@ Vec2 uv_at(const Mesh& mesh, const Hit& hit) {
 
 }  // namespace
 
-SampleColors colors_at(const View& view, const Ray& ray, const Hit& hit) {
+SampleColors colors_at(const View& view, const Ray& ray, const Hit& hit, float share) {
     const Instance& instance = view.scene.instances[hit.instance];
     const Mesh& mesh = view.scene.meshes[instance.mesh];
     const std::uint32_t material = view.scene.material_of(hit.instance, hit.triangle);
@@ -39,8 +39,7 @@ SampleColors colors_at(const View& view, const Ray& ray, const Hit& hit) {
             instance.normal_to_world * cross(mesh.positions[corners[1]] - p0, mesh.positions[corners[2]] - p0);
         const float size = view.camera.pixel_size(hit.distance);
         const float across = std::abs(dot(normal, ray.direction)) / length(ray.direction);  // twice the area as seen
-        const float share = size * size / static_cast<float>(view.settings.samples);
-        uv_width = std::sqrt(share * uv_area(mesh, hit.triangle) / std::max(across, 1e-30F));
+        uv_width = std::sqrt(share * size * size * uv_area(mesh, hit.triangle) / std::max(across, 1e-30F));
     }
     return {view.colors.reflectance_at(material, uv, uv_width), view.colors.emission_at(material, uv, uv_width)};
 }

@@ -12,7 +12,7 @@ struct SampleColors {
     Rgb emission{0.0F};  // radiance
 };
 
-// hit: of the ray; not missed.
-[[nodiscard]] SampleColors colors_at(const View& view, const Ray& ray, const Hit& hit);
+// hit: of the ray; not missed. share: of its pixel that the sample stands for, 0..1.
+[[nodiscard]] SampleColors colors_at(const View& view, const Ray& ray, const Hit& hit, float share);
 
 }  // namespace gg

@@ -47,7 +47,7 @@ std::vector<JumpingFragment> jumps_in(const PixelMap& map, std::size_t tile, std
                 }
             }
             if (step > kJump * seen) {
-                found.push_back({p, f - begin});
+                found.push_back({p, f - begin, step / std::max(seen, 1e-20F)});
             }
         }
     }

@@ -14,6 +14,7 @@ using TileLight = std::vector<Rgb>;  // irradiance of a tile's fragments, W/m2
 struct JumpingFragment {
     std::uint32_t pixel = 0;     // of the tile
     std::uint32_t fragment = 0;  // of the pixel
+    float step = 0;              // as the picture would show it, over the light of the pixel
 };
 
 // Of tile `tile`, in ascending order: fragments whose light differs from that of the same surface in a pixel beside

@@ -17,10 +17,12 @@ namespace {
 
 constexpr std::size_t kFragmentsAtOnce = 32;  // neighbours, whose rays go together
 constexpr int kHalvings = 2;                  // of fragments in which light jumps
+constexpr float kLargeJump = 0.7F;            // step to a pixel beside, from which small parts are looked at at once
 constexpr float kQuartersJump = 0.5F;         // of the pixel's light, between parts that are divided further
 
 void report(const GatherCounts& total, Statistics& statistics) {
     statistics.set_count("gathered points", static_cast<double>(total.points));
+    statistics.set_count("of these by surfaces' own sites", total.on_surface);
     statistics.set_count("resampled senders", static_cast<double>(total.senders));
     statistics.set_count("form factors", static_cast<double>(total.form_factors));
     statistics.set_count("visibility rays", static_cast<double>(total.visibility_rays));
@@ -37,6 +39,7 @@ struct PixelCounts {
         sum.visibility_rays += taken.visibility_rays;
         sum.form_factors += taken.form_factors;
         sum.senders += taken.senders;
+        sum.on_surface += taken.on_surface;
     }
 };
 
@@ -75,15 +78,16 @@ class TileLighter {
         for (std::uint32_t f = tile_.begin_of(pixel); f < tile_.pixels[pixel].end; ++f) {
             seen += luminance(tile_.fragments[f].albedo * lit_.light[f]);
         }
-        const std::vector<FragmentPart> quarters = divide_pixel(view_, tile_, pixel, kHalvings);
-        std::vector<FragmentPart> smaller;
+        std::vector<FragmentPart> quarters, smaller;
+        const auto mean_over = [&](std::vector<FragmentPart>& parts, int halvings, const JumpingFragment& jump) {
+            if (parts.empty()) {
+                parts = divide_pixel(view_, tile_, pixel, halvings);
+            }
+            return light_mean(parts, jump);
+        };
         for (const JumpingFragment& jump : of_pixel) {
-            const float step = light_mean(quarters, jump);
-            if (step > kQuartersJump * seen) {
-                if (smaller.empty()) {
-                    smaller = divide_pixel(view_, tile_, pixel, 2 * kHalvings);
-                }
-                light_mean(smaller, jump);
+            if (jump.step > kLargeJump || mean_over(quarters, kHalvings, jump) > kQuartersJump * seen) {
+                mean_over(smaller, 2 * kHalvings, jump);
             }
         }
     }
@@ -100,7 +104,8 @@ class TileLighter {
         }
         light_.resize(own_.size());
         taken_.resize(own_.size());
-        gatherer_.shade(own_, light_, taken_);
+        const std::uint32_t whole = tile_.begin_of(of.pixel) + of.fragment;
+        gatherer_.shade_parts(tile_.fragments[whole], own_, light_, taken_);
         Rgb reflected(0.0F), albedo(0.0F), least(kInfinity), most(0.0F);
         for (std::size_t i = 0; i < own_.size(); ++i) {
             reflected += own_[i].albedo * light_[i];
@@ -109,7 +114,7 @@ class TileLighter {
             most = glm::max(most, light_[i]);
             lit_.taken[of.pixel].add(taken_[i]);
         }
-        lit_.light[tile_.begin_of(of.pixel) + of.fragment] = reflected / glm::max(albedo, Rgb(1e-20F));
+        lit_.light[whole] = reflected / glm::max(albedo, Rgb(1e-20F));
         return luminance(albedo * (most - least));
     }
 
@@ -141,10 +146,11 @@ std::vector<PassValues> pass_values(const PixelMap& map, std::size_t tile, const
     std::vector<PassValues> values(passes.bits != 0 ? lit.taken.size() : 0);
     for (std::uint32_t p = 0; p < values.size(); ++p) {
         const PixelCounts& taken = lit.taken[p];
+        const auto points = static_cast<float>(std::max(taken.points, 1U));
         values[p][Pass::kVisibilitySamples] = static_cast<float>(taken.sum.visibility_rays);
         values[p][Pass::kFormFactorSamples] = static_cast<float>(taken.sum.form_factors);
-        values[p][Pass::kResampledSenders] =
-            static_cast<float>(taken.sum.senders) / static_cast<float>(std::max(taken.points, 1U));
+        values[p][Pass::kResampledSenders] = static_cast<float>(taken.sum.senders) / points;
+        values[p][Pass::kSurfaceSites] = taken.sum.on_surface / points;
         if (passes.has(Pass::kCellLines)) {
             values[p][Pass::kCellLines] = ends_a_cell(map, tile, p, gatherer) ? 1.0F : 0.0F;
         }

@@ -7,7 +7,8 @@ namespace gg {
 
 namespace {
 
-constexpr std::uint32_t kMargin = 1;  // cells beyond the picture's border, since pixel filters reach over it
+constexpr float kForeshortened = 0.4F;  // share of a length along the view direction that counts
+constexpr std::uint32_t kMargin = 1;    // cells beyond the picture's border, since pixel filters reach over it
 
 }  // namespace
 
@@ -67,6 +68,15 @@ Vec3 PerspectiveGrid::near_vertex(std::uint32_t vertex, Vec3 cells) const {
     }
     const Ray ray = camera_.ray((grid.x - kMargin) * settings_.cell, (grid.y - kMargin) * settings_.cell);
     return ray.origin + depth_of(grid.z / static_cast<float>(count_[2] - 1)) * ray.direction;
+}
+
+float PerspectiveGrid::cells_between(Vec3 a, Vec3 b) const {
+    const Vec3 middle = 0.5F * (a + b);
+    const float depth = std::clamp(camera_.project(middle).z, settings_.nearest, settings_.farthest);
+    const float along = dot(b - a, camera_.direction_to(middle));
+    const float across = std::max(length_squared(b - a) - along * along, 0.0F);
+    return std::sqrt(across + kForeshortened * kForeshortened * along * along) /
+           (settings_.cell * camera_.pixel_size(depth));
 }
 
 PerspectiveGrid::InCell PerspectiveGrid::locate(Vec3 point) const {

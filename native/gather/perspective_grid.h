@@ -37,6 +37,9 @@ class PerspectiveGrid {
     [[nodiscard]] GridPlace place(Vec3 point) const;
     // The world's point so many cells from a vertex along x, y and depth; at the grid's rim no farther than that.
     [[nodiscard]] Vec3 near_vertex(std::uint32_t vertex, Vec3 cells) const;
+    // How many cells as wide as those in the middle between two points lie between them. What lies along the view
+    // direction counts less: it is seen foreshortened.
+    [[nodiscard]] float cells_between(Vec3 a, Vec3 b) const;
     // The cell that it lies in, counted through.
     [[nodiscard]] std::uint32_t cell_at(Vec3 point) const;
     [[nodiscard]] std::uint32_t vertex_count() const { return count_[0] * count_[1] * count_[2]; }

@@ -1,6 +1,11 @@
 // A visible point near a site.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
 #include "core/vec.h"
 #include "radiosity/solution.h"
 
@@ -17,6 +22,40 @@ struct Receiver {
     [[nodiscard]] bool faces(Vec3 direction) const {
         return dot(normal, direction) > 0 && dot(shading_normal, direction) > 0;
     }
+};
+
+// Receivers in turn, those that face a direction.
+class ReceiverTurns {
+  public:
+    // The receivers must outlive this.
+    explicit ReceiverTurns(std::span<const Receiver> receivers) : receivers_(receivers) {
+        for (const Receiver& receiver : receivers) {
+            if (std::none_of(kinds_.begin(), kinds_.end(), [&](const Receiver* kind) {
+                    return kind->normal == receiver.normal && kind->shading_normal == receiver.shading_normal;
+                })) {
+                kinds_.push_back(&receiver);
+            }
+        }
+    }
+
+    // The next one that faces the direction, or null.
+    [[nodiscard]] const Receiver* next(Vec3 direction) {
+        // On a wall all are of one kind, and none faces what lies behind it.
+        if (std::none_of(kinds_.begin(), kinds_.end(), [&](const Receiver* kind) { return kind->faces(direction); })) {
+            return nullptr;
+        }
+        for (;;) {
+            const Receiver& receiver = receivers_[next_++ % receivers_.size()];
+            if (receiver.faces(direction)) {
+                return &receiver;
+            }
+        }
+    }
+
+  private:
+    std::span<const Receiver> receivers_;
+    std::vector<const Receiver*> kinds_;  // one for every pair of normals
+    std::size_t next_ = 0;
 };
 
 }  // namespace gg

@@ -14,6 +14,7 @@ class Statistics;
 // Where the paper is left, and how finely [Scheel et al. 2002].
 struct GatherSettings {
     bool free_space = false;  // sites look from points in free space and count hits, not from what is seen
+    bool surfaces = true;     // fine elements have sites of their own
     DepthLaw law = DepthLaw::kLogarithmic;
     float cell = 20;  // side of a grid cell, pixels of a picture that is 350 pixels high, or wide if that is less
     float threshold = 0.03F;  // see ClassifySettings

@@ -141,22 +141,49 @@ std::span<const FacePoint> ClusterPoints::of(NodeId cluster) const {
 SenderSampler::SenderSampler(const Solution& solution, NodeId sender, Vec3 x, Vec3 n)
     : node_(hierarchy_of(solution)[sender]), x_(x), n_(n), places_(hash64(node_.stable_id, kPlaceSeed)) {
     if (node_.kind == NodeKind::kLamp) {
-        lamp_.emplace(hierarchy_of(solution).scene().lamps[node_.source], x, n);
+        lamp_ = &hierarchy_of(solution).scene().lamps[node_.source];
+        sampler_.emplace(*lamp_, x, n);
     }
 }
 
-SenderPoint SenderSampler::point(std::uint32_t index) const {
-    const float u = places_(index, 0), v = places_(index, 1);
-    if (lamp_) {
-        const LampSample sample = lamp_->sample(u, v);
-        const float weight = luminance(sample.normal_irradiance) * std::max(0.0F, dot(n_, sample.direction));
-        const bool infinite = std::isinf(sample.distance);
-        return {infinite ? sample.direction : sample.point - x_, infinite, weight};
+SenderSampler::SenderSampler(const SenderSampler& like, Vec3 x, Vec3 n)
+    : node_(like.node_), lamp_(like.lamp_), x_(x), n_(n), places_(like.places_) {
+    if (lamp_ != nullptr) {
+        sampler_.emplace(*lamp_, x, n);
     }
-    const Vec3 w = square_to_triangle(u, v);
-    const Vec3 to = w.x * node_.corner[0] + w.y * node_.corner[1] + w.z * node_.corner[2] - x_;
-    const float square = length_squared(to) + 1e-3F * node_.area;
-    return {to, false, std::max(0.0F, dot(n_, to)) * std::max(0.0F, -dot(node_.normal, to)) / (square * square)};
+}
+
+SenderPlace SenderSampler::place(std::uint32_t index) const {
+    SenderPlace place;
+    place.u = places_(index, 0);
+    place.v = places_(index, 1);
+    if (lamp_ == nullptr) {
+        const Vec3 w = square_to_triangle(place.u, place.v);
+        place.target = w.x * node_.corner[0] + w.y * node_.corner[1] + w.z * node_.corner[2];
+    } else if (lamp_->shape == LampShape::kDistant) {
+        const LampSample sample = sampler_->sample(place.u, place.v);
+        place.target = sample.direction;
+        place.light = luminance(sample.normal_irradiance);
+    }
+    return place;
+}
+
+SenderPoint SenderSampler::point(const SenderPlace& place) const {
+    if (lamp_ == nullptr) {
+        const Vec3 to = place.target - x_;
+        const float square = length_squared(to) + 1e-3F * node_.area;
+        return {to, false, std::max(0.0F, dot(n_, to)) * std::max(0.0F, -dot(node_.normal, to)) / (square * square)};
+    }
+    if (lamp_->shape == LampShape::kDistant) {
+        return {place.target, true, place.light * std::max(0.0F, dot(n_, place.target))};
+    }
+    const LampSample sample = sampler_->sample(place.u, place.v);
+    return {sample.point - x_, false, luminance(sample.normal_irradiance) * std::max(0.0F, dot(n_, sample.direction))};
+}
+
+float SenderSampler::facing_weight() const {
+    return lamp_ != nullptr ? luminance(lamp_irradiance_vector(*lamp_, x_).irradiance)
+                            : 1 / (length_squared(node_.center - x_) + node_.radius * node_.radius);
 }
 
 std::span<const std::uint32_t> SenderSampler::in_blocks(std::uint32_t count, std::vector<std::uint32_t>& order) const {

@@ -45,20 +45,34 @@ struct SenderPoint {
     float weight = 0;  // what arrives from there: cosines over distance squared, any constant factor
 };
 
+// What is the same of a point for all receivers.
+struct SenderPlace {
+    float u = 0, v = 0;
+    Vec3 target{0.0F};  // elements: the point; distant lamps: the direction to it
+    float light = 0;    // distant lamps: luminance on a plane that faces it
+};
+
 // The points of a sender as a receiver at x with unit normal n sees them. Keeps references.
 class SenderSampler {
   public:
     SenderSampler(const Solution& solution, NodeId sender, Vec3 x, Vec3 n);
+    // Of the same sender for another receiver.
+    SenderSampler(const SenderSampler& like, Vec3 x, Vec3 n);
 
-    [[nodiscard]] SenderPoint point(std::uint32_t index) const;
+    [[nodiscard]] SenderPoint point(std::uint32_t index) const { return point(place(index)); }
+    [[nodiscard]] SenderPlace place(std::uint32_t index) const;
+    [[nodiscard]] SenderPoint point(const SenderPlace& place) const;
+    // About the weight of a point that the receiver faces, and that faces it.
+    [[nodiscard]] float facing_weight() const;
     // The first `count` indices, those of neighbouring points next to one another.
     std::span<const std::uint32_t> in_blocks(std::uint32_t count, std::vector<std::uint32_t>& order) const;
 
   private:
     const Node& node_;
+    const Lamp* lamp_ = nullptr;
     Vec3 x_, n_;
     Sequence4 places_;
-    std::optional<LampSampler> lamp_;
+    std::optional<LampSampler> sampler_;  // of a lamp
 };
 
 }  // namespace gg

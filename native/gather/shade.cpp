@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gather/merge_lists.h"
 #include "gather/sender_light.h"
 #include "trace/surface_point.h"
 
@@ -10,25 +11,7 @@ namespace gg {
 
 namespace {
 
-constexpr float kAlmost = 0.9999F;        // of the way to a sender
 constexpr float kShareOfSamples = 0.75F;  // power of a fragment's share by which its samples are fewer
-constexpr float kMostSamples = 1024;      // of an element or a lamp
-
-// Calls body(key) for every key of several ascending lists, in ascending order; body has to move on in the lists
-// that stand there.
-template <typename KeyAt, typename Body>
-void merge(std::size_t lists, const KeyAt& key_at, const Body& body) {
-    for (;;) {
-        std::uint32_t least = kNone;
-        for (std::size_t i = 0; i < lists; ++i) {
-            least = std::min(least, key_at(i));
-        }
-        if (least == kNone) {
-            return;
-        }
-        body(least);
-    }
-}
 
 }  // namespace
 
@@ -37,132 +20,35 @@ Shader::Shader(const Solution& solution, const NodeOrder& order, const ClusterPo
 
 // Adds the union of the sites' senders to the tasks.
 void Shader::plan(std::span<const WeightedSite> sites) {
-    std::array<std::size_t, 4> next{};
-    const auto sender_at = [&](std::size_t i) {
+    std::array<std::uint32_t, SitePlace::kMost> next{};
+    std::array<std::uint32_t, SitePlace::kMost> heads{};
+    const auto move_to = [&](std::size_t i, std::uint32_t place) {
         const auto& senders = sites[i].site->senders;
-        return next[i] < senders.size() ? senders[next[i]].sender : kNone;
+        next[i] = place;
+        heads[i] = place < senders.size() ? senders[place].sender : kNone;
     };
-    merge(sites.size(), sender_at, [&](NodeId sender) {
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        move_to(i, 0);
+    }
+    merge(std::span(heads).first(sites.size()), [&](NodeId sender) {
         Task task;
         task.sender = sender;
+        float resampled = 0;  // weight of the sites that do
         for (std::size_t i = 0; i < sites.size(); ++i) {
-            if (sender_at(i) == sender) {
-                const SiteSender& model = sites[i].site->senders[next[i]++];
+            if (heads[i] == sender) {
+                const SiteSender& model = sites[i].site->senders[next[i]];
+                move_to(i, next[i] + 1);
                 task.form_factor = task.form_factor || model.resample_form_factor;
                 task.visibility = task.visibility || model.resample_visibility;
-                task.samples += model.resample_visibility ? sites[i].weight * model.samples : 0.0F;
+                const float weight = model.resample_visibility ? sites[i].weight : 0.0F;
+                task.samples += weight * model.samples;
+                task.expected += weight * model.visibility;
+                resampled += weight;
             }
         }
+        task.expected /= std::max(resampled, 1e-30F);
         tasks_.push_back(task);
     });
-}
-
-// Rays to the union of the sites' leaves of the sky.
-void Shader::add_sky_rays(std::span<const PlacedFragment> fragments) {
-    next_.assign(4 * fragments.size(), 0);
-    const auto leaf_at = [&](std::size_t i) {
-        const PlacedFragment& fragment = fragments[i / 4];
-        if (i % 4 >= fragment.count) {
-            return kNone;
-        }
-        const auto& leaves = fragment.around[i % 4].site->leaves;
-        return next_[i] < leaves.size() ? leaves[next_[i]].id : kNone;
-    };
-    merge(next_.size(), leaf_at, [&](std::uint32_t id) {
-        for (std::uint32_t p = 0; p < fragments.size(); ++p) {
-            const Fragment& at = fragments[p].at;
-            Vec3 direction(0.0F);
-            float weight = 0;  // solid angle times the sites' weights, sr
-            for (std::size_t i = 4 * p; i < 4 * p + 4; ++i) {
-                if (leaf_at(i) == id) {
-                    const WeightedSite& weighted = fragments[p].around[i % 4];
-                    const SkyLeaf& leaf = weighted.site->leaves[next_[i]++];
-                    direction = leaf.direction;
-                    weight += weighted.weight * leaf.solid_angle;
-                }
-            }
-            const float cosine = dot(direction, at.shading_normal);
-            if (weight > 0 && cosine > 0 && dot(direction, at.normal) > 0) {
-                rays_.push_back({points_[p].x, direction, 0, kInfinity});
-                owners_.push_back({p, kNone, weight * cosine});
-            }
-        }
-    });
-    sky_rays_ = rays_.size();
-}
-
-void Shader::add_sender_rays(std::span<const PlacedFragment> fragments) {
-    next_.clear();
-    for (const Point& point : points_) {
-        next_.push_back(point.first_task);
-    }
-    const auto sender_at = [&](std::size_t p) {
-        return next_[p] < points_[p].end_task ? tasks_[next_[p]].sender : kNone;
-    };
-    merge(points_.size(), sender_at, [&](NodeId sender) {
-        group_.clear();
-        for (std::uint32_t p = 0; p < points_.size(); ++p) {
-            if (sender_at(p) == sender) {
-                const std::uint32_t task = next_[p]++;
-                if (tasks_[task].visibility) {
-                    group_.push_back({p, task});
-                }
-            }
-        }
-        add_rays(fragments, sender);
-    });
-}
-
-// Rays of a group's points to a prefix of a sender's points: all that go to the same one together. The last one counts
-// by the fraction of the sample number, so that a number that changes from point to point changes nothing at once.
-void Shader::add_rays(std::span<const PlacedFragment> fragments, NodeId sender) {
-    const Node& node = hierarchy_of(solution_)[sender];
-    const bool cluster = is_cluster(node);
-    std::uint32_t most = 0;
-    samplers_.clear();
-    for (Member& member : group_) {
-        const Fragment& at = fragments[member.point].at;
-        // A pixel has about as many for all of its fragments as for one.
-        const float samples = std::clamp(tasks_[member.task].samples * std::pow(at.share, kShareOfSamples), 1.0F,
-                                         cluster ? static_cast<float>(kClusterPoints) : kMostSamples);
-        member.whole = static_cast<std::uint32_t>(samples);
-        const float fraction = samples - static_cast<float>(member.whole);
-        member.of_all =
-            (1 - fraction) / static_cast<float>(member.whole) + fraction / static_cast<float>(member.whole + 1);
-        member.of_last = fraction / static_cast<float>(member.whole + 1);
-        most = std::max(most, member.count());
-        if (!cluster) {
-            samplers_.emplace_back(solution_, sender, points_[member.point].x, at.shading_normal);
-        }
-    }
-    const auto add = [&](const Member& member, std::uint32_t i, const SenderPoint& to) {
-        const float weight = to.weight * (i < member.whole ? member.of_all : member.of_last);
-        if (weight > 0 && dot(to.direction, fragments[member.point].at.normal) > 0) {
-            rays_.push_back({points_[member.point].x, to.direction, 0, to.infinite ? kInfinity : kAlmost});
-            owners_.push_back({member.point, member.task, weight});
-        }
-    };
-    if (cluster) {
-        const auto points = cluster_points_.of(sender);
-        for (std::uint32_t i = 0; i < most && !points.empty(); ++i) {
-            for (const Member& member : group_) {
-                if (i < member.count()) {
-                    const Vec3 to = points[i].position - points_[member.point].x;
-                    const Rgb light = irradiance_from(points[i], 1, to, fragments[member.point].at.shading_normal,
-                                                      0.5F * node.area / kClusterPoints);
-                    add(member, i, {to, false, luminance(light)});
-                }
-            }
-        }
-    } else if (most > 0) {
-        for (const std::uint32_t i : samplers_.front().in_blocks(most, order_)) {
-            for (std::size_t k = 0; k < group_.size(); ++k) {
-                if (i < group_[k].count()) {
-                    add(group_[k], i, samplers_[k].point(i));
-                }
-            }
-        }
-    }
 }
 
 void Shader::work_out_form_factors(const PlacedFragment& fragment, Point& point) {
@@ -259,9 +145,12 @@ void Shader::shade(std::span<const PlacedFragment> fragments, std::span<Rgb> lig
     for (const PlacedFragment& fragment : fragments) {
         Point point;
         point.x = offset_origin(fragment.at.position, fragment.at.normal, 1);
+        // A pixel has about as many for all of its fragments as for one.
+        point.share_of_samples = std::pow(fragment.at.share, kShareOfSamples);
         point.first_task = static_cast<std::uint32_t>(tasks_.size());
         plan(fragment.sites());
         point.end_task = static_cast<std::uint32_t>(tasks_.size());
+        point.taken.on_surface = fragment.on_surface;
         point.taken.senders = point.end_task - point.first_task;
         work_out_form_factors(fragment, point);
         points_.push_back(point);
@@ -278,6 +167,7 @@ void Shader::shade(std::span<const PlacedFragment> fragments, std::span<Rgb> lig
         light[p] = points_[p].light;
         taken[p] = points_[p].taken;
         counts_.form_factors += taken[p].form_factors;
+        counts_.on_surface += taken[p].on_surface;
     }
     counts_.points += fragments.size();
     counts_.senders += tasks_.size();

@@ -10,6 +10,7 @@
 #include "gather/gather_counts.h"
 #include "gather/sender_points.h"
 #include "gather/site.h"
+#include "gather/site_places.h"
 #include "gather/surroundings.h"
 #include "trace/ray_tracer.h"
 
@@ -23,8 +24,9 @@ struct WeightedSite {
 // A fragment and the sites around it.
 struct PlacedFragment {
     Fragment at;
-    std::array<WeightedSite, 4> around;
+    std::array<WeightedSite, SitePlace::kMost> around;
     std::uint32_t count = 0;  // of sites
+    float on_surface = 0;     // weight of those on the fragment's surface
 
     [[nodiscard]] std::span<const WeightedSite> sites() const { return std::span(around).first(count); }
 };
@@ -38,6 +40,10 @@ class Shader {
     void shade(std::span<const PlacedFragment> fragments, std::span<Rgb> light, std::span<PointCounts> taken);
     [[nodiscard]] const GatherCounts& counts() const { return counts_; }
 
+    // Of the last call: to senders and the sky, and to what is near.
+    [[nodiscard]] std::span<const Ray> visibility_rays() const { return rays_; }
+    [[nodiscard]] std::span<const Ray> near_rays() const { return surroundings_.rays(); }
+
   private:
     // A sender of any of a point's sites.
     struct Task {
@@ -45,6 +51,7 @@ class Shader {
         bool form_factor = false, visibility = false;
         float samples = 0;
         Rgb unoccluded{0.0F};
+        float expected = 0;        // visibility by the sites that resample it
         float sent = 0, seen = 0;  // weights of all rays, and of those that arrive
 
         [[nodiscard]] float visible() const { return sent > 0 ? seen / sent : 0; }
@@ -52,6 +59,7 @@ class Shader {
 
     struct Point {
         Vec3 x{0.0F};  // where its rays start
+        float share_of_samples = 1;
         std::uint32_t first_task = 0, end_task = 0;
         Rgb light{0.0F};
         PointCounts taken;
@@ -72,6 +80,7 @@ class Shader {
     };
 
     void plan(std::span<const WeightedSite> sites);
+    void add_ray(RayOwner owner, Vec3 direction, float far);
     void add_sky_rays(std::span<const PlacedFragment> fragments);
     void add_sender_rays(std::span<const PlacedFragment> fragments);
     void add_rays(std::span<const PlacedFragment> fragments, NodeId sender);
@@ -95,6 +104,7 @@ class Shader {
     std::vector<Member> group_;
     std::vector<SenderSampler> samplers_;  // of the group, unless the sender is a cluster
     std::vector<std::uint32_t> next_;      // in lists that are merged
+    std::vector<std::uint32_t> heads_;     // keys that they have there
     std::vector<std::uint32_t> order_;
     std::vector<std::uint8_t> blocked_;
     GatherCounts counts_;

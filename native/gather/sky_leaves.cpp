@@ -39,18 +39,14 @@ void SkyLeaves::look_into(std::span<const SkyCell> cells, std::uint32_t count, s
     rays_.clear();
     owners_.clear();
     looks_.assign(cells.size(), {});
-    std::size_t next = 0;
+    ReceiverTurns turns(receivers);
     for (std::uint32_t c = 0; c < cells.size(); ++c) {
         const Sequence4 places(hash64(id_of(cells[c]), kLookSeed));
         for (std::uint32_t k = 0; k < count; ++k) {
             const Vec3 direction = cell_direction(cells[c], places(k, 0), places(k, 1));
-            for (std::size_t tried = 0; tried < receivers.size(); ++tried) {
-                const Receiver& receiver = receivers[next++ % receivers.size()];
-                if (receiver.faces(direction)) {
-                    rays_.push_back({receiver.position, direction, 0, kInfinity});
-                    owners_.push_back(c);
-                    break;
-                }
+            if (const Receiver* receiver = turns.next(direction)) {
+                rays_.push_back({receiver->position, direction, 0, kInfinity});
+                owners_.push_back(c);
             }
         }
     }

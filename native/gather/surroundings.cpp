@@ -31,16 +31,21 @@ std::vector<SkyCell> in_squares(std::uint8_t level) {
 
 }  // namespace
 
+Vec3 near_direction(std::uint32_t index) {
+    const Sequence4 places(kNearSeed);
+    return cell_direction(table_cell(index), places(index, 0), places(index, 1));
+}
+
 Surroundings::Surroundings(const Solution& solution, const NodeOrder& order, const RayTracer& tracer)
     : solution_(solution), order_(order), tracer_(tracer) {
-    const Sequence4 sites(kSiteSeed), near(kNearSeed);
+    const Sequence4 sites(kSiteSeed);
     for (const SkyCell cell : in_squares(kSiteLevel)) {
         const std::uint32_t c = site_index(cell);
         site_directions_.push_back({c, cell_direction(cell, sites(c, 0), sites(c, 1))});
     }
     for (const SkyCell cell : in_squares(kTableLevel)) {
         const std::uint32_t c = table_index(cell);
-        near_directions_.push_back({c, cell_direction(cell, near(c, 0), near(c, 1))});
+        near_directions_.push_back({c, near_direction(c)});
     }
 }
 
@@ -65,16 +70,12 @@ void Surroundings::look_from(std::span<const Receiver> receivers) {
     rays_.clear();
     origins_.clear();
     seen_.assign(kSiteCells, Seen::kNothing);
-    std::size_t next = 0;
+    ReceiverTurns turns(receivers);
     for (const auto& [cell, direction] : site_directions_) {
-        for (std::size_t tried = 0; tried < receivers.size(); ++tried) {
-            const Receiver& receiver = receivers[next++ % receivers.size()];
-            if (receiver.faces(direction)) {
-                rays_.push_back({receiver.position, direction, 0, kInfinity});
-                origins_.push_back({0, cell});
-                seen_[cell] = Seen::kSky;
-                break;
-            }
+        if (const Receiver* receiver = turns.next(direction)) {
+            rays_.push_back({receiver->position, direction, 0, kInfinity});
+            origins_.push_back({0, cell});
+            seen_[cell] = Seen::kSky;
         }
     }
     trace();

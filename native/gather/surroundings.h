@@ -26,6 +26,9 @@ inline constexpr std::uint32_t kSiteSide = 1U << kSiteLevel, kSiteCells = 2 * kS
             static_cast<std::uint16_t>(index % kSiteSide), static_cast<std::uint16_t>(index / kSiteSide % kSiteSide)};
 }
 
+// In which the table's cell of that index is looked into for what is near.
+[[nodiscard]] Vec3 near_direction(std::uint32_t index);
+
 // Distances [m] up to which surfaces are looked for at every point.
 struct Reach {
     float full = 0, none = 0;  // what is closer than `full` is all near, what is farther than `none` all far
@@ -67,6 +70,7 @@ class Surroundings {
     [[nodiscard]] std::span<const Met> met() const { return met_; }
     [[nodiscard]] std::span<const Seen> seen() const { return seen_; }
     [[nodiscard]] std::size_t ray_count() const { return rays_.size(); }
+    [[nodiscard]] std::span<const Ray> rays() const { return rays_; }
     [[nodiscard]] std::span<const RayOrigin> origins() const { return origins_; }  // of the rays
 
     // Adds what was met to the table: but for what lies in `apart` and, if reach is not 0, for what is near, unless

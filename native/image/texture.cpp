@@ -204,7 +204,8 @@ Rgb TextureSet::lookup(std::uint32_t image, Vec2 uv, float width) const {
     const Vec2 inside(fold(uv.x, texture.wrap), fold(uv.y, texture.wrap));
     const bool repeat = texture.wrap == Wrap::kRepeat;
     const MipLevel& finest = pyramid.levels.front();
-    const float texels = width * static_cast<float>(resolution(image));
+    // The width is that of a square of the same area, and the image may be longer than it is high.
+    const float texels = width * std::sqrt(static_cast<float>(finest.width) * static_cast<float>(finest.height));
     if (!(texels > 1.0F)) {
         return texture.closest ? nearest(pyramid, finest, inside) : bilinear(pyramid, finest, inside, repeat);
     }

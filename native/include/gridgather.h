@@ -27,7 +27,7 @@
 extern "C" {
 #endif
 
-#define GG_INTERFACE_VERSION 2
+#define GG_INTERFACE_VERSION 3
 #define GG_NONE 0xFFFFFFFFu /* no image, no material */
 
 typedef enum gg_status {
@@ -144,6 +144,7 @@ typedef struct gg_light {
     float matrix[12];
     float power[3];       /* W times colour; sun: irradiance [W/m2] times colour on a surface that faces it */
     float radius;         /* m, point and spot, >= 0 */
+    int32_t soft_falloff; /* point and spot; 1: a disk of that radius that faces every receiver, 0: a sphere */
     float size_x, size_y; /* m, area: full widths along the lamp's X and Y */
     int32_t shape;        /* gg_area_shape */
     float spot_angle;     /* rad, full cone, (0, pi] */
@@ -176,6 +177,11 @@ typedef struct gg_camera {
 /* GATHER: final gather; SOLUTION: the interpolated radiosity solution; FULL: every sender anew at every point, slow. */
 typedef enum gg_method { GG_METHOD_GATHER = 0, GG_METHOD_SOLUTION = 1, GG_METHOD_FULL = 2 } gg_method;
 
+/* Where sites of the final gather stand: on surfaces where their triangles are larger than cells of the grid over the
+ * picture (FREE_SPACE: where the solution's elements are as fine as these) and at the grid's vertices elsewhere, or at
+ * the grid's alone. */
+typedef enum gg_sites { GG_SITES_SURFACES_AND_GRID = 0, GG_SITES_GRID = 1 } gg_sites;
+
 /* From where sites of the final gather look around: from visible surfaces, or as published, from points in free space
  * with counted hits and an error bound for each sender by itself. */
 typedef enum gg_receivers { GG_RECEIVERS_VISIBLE = 0, GG_RECEIVERS_FREE_SPACE = 1 } gg_receivers;
@@ -189,7 +195,8 @@ typedef enum gg_pass {
     GG_PASS_VISIBILITY_SAMPLES = 1,  /* "Visibility Samples": rays to senders, the sky and what is near */
     GG_PASS_FORM_FACTOR_SAMPLES = 2, /* "Form Factor Samples": form factors worked out */
     GG_PASS_RESAMPLED_SENDERS = 4,   /* "Resampled Senders": looked at anew, mean over the pixel's points */
-    GG_PASS_CELL_LINES = 8           /* "Cell Lines": 1 where the pixel to the right or above lies in another cell */
+    GG_PASS_CELL_LINES = 8,          /* "Cell Lines": 1 where the pixel to the right or above lies in another cell */
+    GG_PASS_SURFACE_SITES = 16       /* "Surface Sites": share of its light from sites on surfaces; the rest: the grid's */
 } gg_pass;
 
 /* A render's numbers. Required: width, height, method. */
@@ -205,9 +212,11 @@ typedef struct gg_settings {
     int32_t film_transparent; /* 1: the world behind is alpha 0 */
     int32_t threads;          /* 0: all cores */
     uint32_t passes;          /* gg_pass, added up */
+    int32_t sites;            /* gg_sites */
     int32_t receivers;        /* gg_receivers */
     int32_t depth_law;        /* gg_depth_law */
-    float cell_size;          /* of the gather's grid, pixels of a picture whose shorter side has 350; 0: 20; 4..200 */
+    float cell_size;          /* of the gather's grid, pixels of a picture whose shorter side has 350, but never less than
+                               * 4 pixels of this one; 0: 20; 4..200 */
     float threshold;          /* error that one sender may have, share of the local radiosity; 0: 0.03; 1e-4..1 */
     uint32_t gather_samples;  /* visibility rays from a point, about; 0: 512; 16..4096 */
 } gg_settings;

@@ -5,6 +5,7 @@
 #include "core/parallel.h"
 #include "radiosity/gathered_light.h"
 #include "radiosity/lighting.h"
+#include "radiosity/reference_white.h"
 
 namespace gg {
 
@@ -17,6 +18,7 @@ constexpr float kLeastRays = 2;
 constexpr float kLeastElementRays = 6, kMostElementRays = 512;
 // Share of the rays of an element of the size of a detail that one so long has, however thin it is.
 constexpr float kThin = 0.25F;
+constexpr float kMostBright = 8;       // times the rays, of elements that are brighter than the reference white
 constexpr float kMoreWithSky = 2;      // few rays find windows, and the patches of sunlight behind them
 constexpr float kDetail = 1.0F / 200;  // size of a place, as a share of the scene's, from which all rays start
 
@@ -150,6 +152,7 @@ void GatheredLight::list_elements(const Lighting& lighting, int rays) {
             leaves.push_back(id);
         }
     }
+    const float white = std::max(reference_white(*hierarchy_, lighting).irradiance, 1e-30F);
     const float more = luminance(hierarchy_->scene().world) > 0 ? kMoreWithSky : 1.0F;
     places_.reserve(places_.size() + leaves.size());
     radiosity_.reserve(places_.size() + leaves.size());
@@ -157,8 +160,10 @@ void GatheredLight::list_elements(const Lighting& lighting, int rays) {
         const Node& node = (*hierarchy_)[id];
         const float length = kThin * 2 * node.radius / detail();
         const float share = std::max(length, node.area / (detail() * detail()));
+        // What is brighter than most lights its surroundings, and its noise does, too.
+        const float bright = std::clamp(luminance(lighting.irradiance(id)) / white, 1.0F, kMostBright);
         const auto count = static_cast<std::uint32_t>(
-            more * std::clamp(static_cast<float>(rays) * share, kLeastElementRays, kMostElementRays));
+            more * bright * std::clamp(static_cast<float>(rays) * share, kLeastElementRays, kMostElementRays));
         place_of_element_[id] = static_cast<std::uint32_t>(places_.size());
         places_.push_back({node.instance, kNone, kNone, id, count, 0, 1, node.area, node.reflectance});
         radiosity_.push_back(node.reflectance * lighting.irradiance(id));

@@ -74,9 +74,8 @@ class GatheredLight::Block {
     // Where a ray does not get far, more are sent out.
     void probe_close_points(std::size_t i, std::size_t begin, std::size_t end) {
         const Place& place = owner_.places_[i];
-        const float radius =
-            place.element != kNone ? (*owner_.hierarchy_)[place.element].radius : std::sqrt(place.area);
-        const float reach = std::min(2 * radius, 0.5F * owner_.hierarchy_->faces().patches.reach);
+        // By area: what stands before a thin element as far off as that is long does not cover it.
+        const float reach = std::min(2 * std::sqrt(place.area), 0.5F * owner_.hierarchy_->faces().patches.reach);
         const Sequence4 sequence(hash64(seed_of(place), kProbeSeed));
         for (std::size_t k = begin; k < end; ++k) {
             if (hits_[k].missed() || hits_[k].distance > reach) {

@@ -33,7 +33,7 @@ class VertexBuilder {
 
     void add_elements(std::span<const NodeId> roots) {
         for (const NodeId root : roots) {
-            make_midpoints(root, mesh_.shading_vertices[solution_.hierarchy[root].source]);
+            divide_edges(root, mesh_.shading_vertices[solution_.hierarchy[root].source]);
         }
     }
 
@@ -57,21 +57,21 @@ class VertexBuilder {
     }
 
   private:
-    void make_midpoints(NodeId id, const Corners& corners) {
+    void divide_edges(NodeId id, const Corners& corners) {
         const Node& node = solution_.hierarchy[id];
         if (node.child_count == 0) {
             return;
         }
-        const Corners opposite = opposite_midpoints(out_, mesh_.normals.size(), corners);
+        const Corners opposite = make_midpoints(out_.midpoints, mesh_.normals.size(), corners);
         for (int quarter = 0; quarter < 4; ++quarter) {
-            make_midpoints(node.first_child + quarter, quarter_corners(corners, opposite, quarter));
+            divide_edges(node.first_child + quarter, quarter_corners(corners, opposite, quarter));
         }
     }
 
     void add_leaves(NodeId id, const Piece& piece) {
         const Node& node = solution_.hierarchy[id];
         std::array<Piece, 4> parts;
-        const int count = split_at_t_vertices(out_, piece, parts);
+        const int count = split_at_t_vertices(out_.midpoints, piece, parts);
         if (node.child_count == 0) {
             solution_.element_vertices[id] = {piece.vertices, count > 1};
             add_piece(whole_piece(piece.vertices), node, solution_.lighting.corner_irradiance(id));
@@ -84,7 +84,7 @@ class VertexBuilder {
 
     void add_piece(const Piece& piece, const Node& node, const std::array<Rgb, 3>& corners) {
         std::array<Piece, 4> parts;
-        const int count = split_at_t_vertices(out_, piece, parts);
+        const int count = split_at_t_vertices(out_.midpoints, piece, parts);
         if (count == 1) {
             // By area: the sum over all is then kept, and a speck of light does not spread over a large neighbour. What
             // is covered is not seen: it must not darken the edge of what is.
@@ -140,39 +140,9 @@ class VertexBuilder {
     std::array<std::vector<float>, 2> weights_;
 };
 
-Rgb blend(const std::vector<Rgb>& values, const Corners& vertices, Vec2 place) {
-    return (1 - place.x - place.y) * values[vertices[0]] + place.x * values[vertices[1]] +
-           place.y * values[vertices[2]];
-}
-
-// Weights of the corners of a piece at a place, as (w1, w2).
-Vec2 weights_in(const Piece& piece, Vec2 place) {
-    const Vec2 e1 = piece.places[1] - piece.places[0];
-    const Vec2 e2 = piece.places[2] - piece.places[0];
-    const Vec2 p = place - piece.places[0];
-    const float determinant = e1.x * e2.y - e1.y * e2.x;
-    return Vec2(p.x * e2.y - p.y * e2.x, e1.x * p.y - e1.y * p.x) / determinant;
-}
-
-Rgb look_up_piece(const InstanceVertices& vertices, const std::vector<Rgb>& values, Piece piece, Vec2 place) {
-    std::array<Piece, 4> parts;
-    for (;;) {
-        const int count = split_at_t_vertices(vertices, piece, parts);
-        if (count == 1) {
-            return blend(values, piece.vertices, weights_in(piece, place));
-        }
-        int best = 0;
-        float best_inside = -kInfinity;
-        for (int i = 0; i < count; ++i) {
-            const Vec2 w = weights_in(parts[i], place);
-            const float inside = std::min({w.x, w.y, 1 - w.x - w.y});
-            if (inside > best_inside) {
-                best_inside = inside;
-                best = i;
-            }
-        }
-        piece = parts[best];
-    }
+Rgb blend(const std::vector<Rgb>& values, const PlaceInPiece& at) {
+    return (1 - at.weights.x - at.weights.y) * values[at.vertices[0]] + at.weights.x * values[at.vertices[1]] +
+           at.weights.y * values[at.vertices[2]];
 }
 
 // The undivided element below `id` around a point of its triangle, and the point's weights of its corners 1 and 2.
@@ -213,13 +183,14 @@ Rgb interpolated_irradiance(const Solution& solution, std::uint32_t instance, st
     if (id == kNone) {
         const Scene& scene = solution.hierarchy.scene();
         const Corners& corners = scene.meshes[scene.instances[instance].mesh].shading_vertices[triangle];
-        return vertices.midpoints.empty() ? blend(values, corners, barycentric)
-                                          : look_up_piece(vertices, values, whole_piece(corners), barycentric);
+        return vertices.midpoints.empty()
+                   ? blend(values, {corners, barycentric})
+                   : blend(values, find_piece(vertices.midpoints, whole_piece(corners), barycentric));
     }
     const auto [leaf_element, place] = leaf_place(solution.hierarchy, id, barycentric);
     const ElementVertices& leaf = solution.element_vertices[leaf_element];
-    return leaf.has_t_vertices ? look_up_piece(vertices, values, whole_piece(leaf.vertices), place)
-                               : blend(values, leaf.vertices, place);
+    return leaf.has_t_vertices ? blend(values, find_piece(vertices.midpoints, whole_piece(leaf.vertices), place))
+                               : blend(values, {leaf.vertices, place});
 }
 
 LitPlace lit_place(const Solution& solution, const Hit& hit, bool back) {

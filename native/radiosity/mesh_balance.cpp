@@ -44,21 +44,21 @@ class Balancer {
             body(id, corners);
             return;
         }
-        const Corners opposite = opposite_midpoints(vertices_, mesh_.normals.size(), corners);
+        const Corners opposite = make_midpoints(midpoints_, mesh_.normals.size(), corners);
         for (int quarter = 0; quarter < 4; ++quarter) {
             divide(node.first_child + quarter, quarter_corners(corners, opposite, quarter), body);
         }
     }
 
     [[nodiscard]] bool is_divided_twice(std::uint32_t a, std::uint32_t b) const {
-        const auto middle = vertices_.midpoints.find(edge_key(a, b));
-        return middle != vertices_.midpoints.end() && (vertices_.midpoints.contains(edge_key(a, middle->second)) ||
-                                                       vertices_.midpoints.contains(edge_key(middle->second, b)));
+        const auto middle = midpoints_.find(edge_key(a, b));
+        return middle != midpoints_.end() &&
+               (midpoints_.contains(edge_key(a, middle->second)) || midpoints_.contains(edge_key(middle->second, b)));
     }
 
     const Hierarchy& hierarchy_;
     const Mesh& mesh_;
-    InstanceVertices vertices_;
+    Midpoints midpoints_;
 };
 
 bool has_divided(const Hierarchy& hierarchy, const std::vector<NodeId>& roots) {

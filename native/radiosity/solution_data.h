@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "radiosity/gathered_light.h"
@@ -11,20 +10,20 @@
 #include "radiosity/lighting.h"
 #include "radiosity/link.h"
 #include "radiosity/reference_white.h"
+#include "radiosity/t_vertices.h"
 
 namespace gg {
 
 // Irradiance at the vertices of an instance's elements. Vertices are the mesh's shading vertices, then the midpoints of
 // element edges; front and back have values of their own.
 struct InstanceVertices {
-    // (vertex, vertex) in ascending order -> the vertex between them.
-    std::unordered_map<std::uint64_t, std::uint32_t> midpoints;
+    Midpoints midpoints;
     std::vector<Rgb> front, back;  // W/m2 per vertex; back is empty when light reaches no back
 };
 
 // The corners of a leaf element, so that a look-up needs no search.
 struct ElementVertices {
-    std::array<std::uint32_t, 3> vertices{};
+    Corners vertices{};
     bool has_t_vertices = false;  // a neighbour divides one of its edges
 };
 

@@ -4,6 +4,7 @@
 
 #include "core/control.h"
 #include "core/statistics.h"
+#include "radiosity/creases.h"
 #include "radiosity/interpolation.h"
 #include "radiosity/large_faces.h"
 #include "radiosity/mesh_balance.h"
@@ -20,7 +21,7 @@ namespace {
 // Multigridding: coarse links carry the light around once before finer ones are judged by it.
 constexpr float kCoarseness[] = {16, 4, 1};
 // Of what is asked for: links only have to guide, for faces look around in the end; edges of shadows are seen.
-constexpr float kLinkError = 2, kEdgeError = 0.5F, kSeparatorError = 1.5F;
+constexpr float kLinkError = 2, kEdgeError = 0.5F, kSeparatorError = 1.5F, kCreaseError = 2;
 constexpr float kLargeFace = 0.1F;  // share of the extent of light
 constexpr int kSweepsBetween = 5;
 constexpr int kSweepsAtEnd = 200;          // enough for a mean reflectance of 0.97
@@ -154,6 +155,8 @@ std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& c
                 split_at_shadow_edges(solution->hierarchy, solution->lighting, guide, tracer, edges, control);
                 split_at_separators(solution->hierarchy, solution->lighting, tracer,
                                     {kSeparatorError * settings.quality, solution->white}, control);
+                split_at_creases(solution->hierarchy, solution->lighting, tracer,
+                                 {kCreaseError * settings.quality, solution->white}, control);
                 balance_elements(solution->hierarchy, solution->lighting, control);
             }
         }

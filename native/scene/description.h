@@ -68,6 +68,7 @@ struct LightDescription {
     Affine to_world;
     Rgb power{0.0F};
     float radius = 0;
+    bool soft_falloff = false;
     float size_x = 0, size_y = 0;
     AreaShape shape = AreaShape::kRectangle;
     float spot_angle = 0, spot_blend = 0;

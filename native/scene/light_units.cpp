@@ -33,6 +33,7 @@ void make_bulb(const LightDescription& light, Lamp& lamp) {
     const bool is_point = light.radius < kSmallestLampRadius;
     lamp.shape = is_point ? LampShape::kPoint : LampShape::kSphere;
     lamp.radius = is_point ? 0 : light.radius;
+    lamp.faces_receivers = light.soft_falloff;
     lamp.radiance = light.power / (4 * kPi);
     if (!is_point) {
         lamp.radiance /= kPi * light.radius * light.radius;

@@ -56,6 +56,7 @@ struct Lamp {
     Vec3 half_x{0.0F}, half_y{0.0F};    // kRectangle, kEllipse: centre to edge, orthogonal or sheared as placed
     Vec3 direction{0.0F, 0.0F, -1.0F};  // unit, where it shines to: kRectangle, kEllipse, kDistant, spots
     float radius = 0;                   // kSphere, m
+    bool faces_receivers = false;       // kSphere: a disk in its place instead, that faces every receiver
     Rgb radiance{0.0F};                 // W/(m2 sr), towards its brightest direction; kPoint: intensity, W/sr
     Rgb irradiance{0.0F};               // kDistant: W/m2 on a surface that faces it
     float cos_half_angle = 1;           // kDistant: of the disk in the sky

@@ -32,10 +32,10 @@ Vec3 sample_cone(Vec3 axis, float depth, float u, float v) {
     return continuous_to_world(axis, {disk.x * stretch, disk.y * stretch, 1 - drop});
 }
 
-// A sphere as seen from x.
+// A sphere, or the disk that faces x in its place, as seen from x.
 struct SphereView {
     Vec3 axis{0.0F, 0.0F, 1.0F};  // unit, towards the centre
-    float distance = 0;           // to the centre, at least the radius
+    float distance = 0;           // to the centre, of a sphere at least the radius
     float sine_squared = 0;       // of its angular radius
     float depth = 0;              // 1 - cosine of its angular radius
 };
@@ -47,11 +47,22 @@ SphereView view_sphere(const Lamp& lamp, Vec3 x) {
     if (distance > 0) {
         view.axis = to_center / distance;
     }
-    view.distance = std::max(distance, lamp.radius);
-    const float sine = lamp.radius / view.distance;
-    view.sine_squared = sine * sine;
+    const float square = lamp.radius * lamp.radius;
+    view.distance = lamp.faces_receivers ? distance : std::max(distance, lamp.radius);
+    view.sine_squared = square / (view.distance * view.distance + (lamp.faces_receivers ? square : 0.0F));
     view.depth = view.sine_squared / (1 + std::sqrt(1 - view.sine_squared));
     return view;
+}
+
+// Along a direction with that cosine to the axis.
+float distance_to_sphere(const Lamp& lamp, const SphereView& view, float cosine) {
+    const float sine_squared = std::max(0.0F, 1 - cosine * cosine);
+    // Near intersection: d cos t - sqrt(r^2 - d^2 sin^2 t), by its conjugate.
+    const float reach = view.distance * cosine;
+    const float half_chord =
+        std::sqrt(std::max(0.0F, lamp.radius * lamp.radius - view.distance * view.distance * sine_squared));
+    const float gap = (view.distance - lamp.radius) * (view.distance + lamp.radius);
+    return gap > 0 ? gap / (reach + half_chord) : 0.0F;
 }
 
 LampSample sample_sphere(const Lamp& lamp, Vec3 x, float u, float v) {
@@ -59,13 +70,9 @@ LampSample sample_sphere(const Lamp& lamp, Vec3 x, float u, float v) {
     LampSample sample;
     sample.direction = sample_cone(view.axis, view.depth, u, v);
     const float cosine = dot(sample.direction, view.axis);
-    const float sine_squared = std::max(0.0F, 1 - cosine * cosine);
-    // Near intersection: d cos t - sqrt(r^2 - d^2 sin^2 t), by its conjugate.
-    const float reach = view.distance * cosine;
-    const float half_chord =
-        std::sqrt(std::max(0.0F, lamp.radius * lamp.radius - view.distance * view.distance * sine_squared));
-    const float gap = (view.distance - lamp.radius) * (view.distance + lamp.radius);
-    sample.distance = gap > 0 ? gap / (reach + half_chord) : 0.0F;
+    sample.distance = lamp.faces_receivers
+                          ? std::min(view.distance / std::max(cosine, 1e-6F), view.distance + lamp.radius)
+                          : distance_to_sphere(lamp, view, cosine);
     sample.point = x + sample.distance * sample.direction;
     sample.normal_irradiance =
         lamp.radiance * (2 * kPi * view.depth * spot_factor(lamp, -dot(lamp.direction, sample.direction)));
@@ -173,7 +180,7 @@ IrradianceVector flat_irradiance(const Lamp& lamp, Vec3 x) {
 Rgb lamp_irradiance(const Lamp& lamp, Vec3 x, Vec3 n) {
     if (lamp.shape == LampShape::kSphere) {
         const SphereView view = view_sphere(lamp, x);
-        const float factor = point_to_sphere(dot(n, view.axis), length(lamp.position - x) / lamp.radius);
+        const float factor = point_to_sphere(dot(n, view.axis), 1 / std::sqrt(view.sine_squared));
         return lamp.radiance * (kPi * factor * spot_factor(lamp, -dot(lamp.direction, view.axis)));
     }
     if (lamp.shape == LampShape::kRectangle || lamp.shape == LampShape::kEllipse) {

@@ -3,7 +3,7 @@
 import math
 
 from .. import description
-from ..compat import casts_shadow, light_factor, node_tree
+from ..compat import casts_shadow, has_soft_falloff, light_factor, node_tree
 from ..description import AREA_ELLIPSE, AREA_RECTANGLE, LIGHT_AREA, LIGHT_POINT, LIGHT_SPOT, LIGHT_SUN, Light
 from .identity import rows
 from .surface import SurfaceReader
@@ -40,6 +40,7 @@ def export_light(instance, stable_id: int, scene: description.Scene) -> Light | 
 def _set_shape(light: Light, data) -> None:
     if data.type in {"POINT", "SPOT"}:
         light.radius = data.shadow_soft_size
+        light.soft_falloff = has_soft_falloff(data)
     if data.type == "SPOT":
         light.spot_angle, light.spot_blend = data.spot_size, data.spot_blend
     if data.type == "SUN":

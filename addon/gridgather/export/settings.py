@@ -13,6 +13,8 @@ from ..description import (
     PIXEL_GAUSS,
     RECEIVERS_FREE_SPACE,
     RECEIVERS_VISIBLE,
+    SITES_GRID,
+    SITES_SURFACES_AND_GRID,
     Settings,
 )
 
@@ -32,6 +34,7 @@ def export_settings(scene, width: int, height: int) -> Settings:
         method=_METHODS[own.method],
         quality=own.quality,
         samples=own.samples,
+        sites=SITES_SURFACES_AND_GRID if own.use_surface_sites else SITES_GRID,
         receivers=_RECEIVERS[own.receivers],
         depth_law=_DEPTH_LAWS[own.depth_law],
         cell_size=own.cell_size,

@@ -58,5 +58,24 @@ TEST(camera, shifted_windows_shift_the_picture) {
     expect_near(camera.ray(200, 50).direction, {1, 0, -1});
 }
 
+TEST(camera, a_perspective_camera_sees_points_along_the_line_to_them) {
+    CameraDescription description = make_camera(CameraType::kPerspective);
+    description.to_world.translation = {5, 6, 7};
+    const PixelCamera camera(description, 200, 100);
+    expect_near(camera.direction_to({5, 6, 2}), {0, 0, -1});
+    expect_near(camera.direction_to({8, 6, 3}), {0.6F, 0, -0.8F});
+    const Ray ray = camera.ray(30, 70);
+    expect_near(camera.direction_to(ray.origin + 7.0F * ray.direction), normalize_or_zero(ray.direction));
+}
+
+TEST(camera, an_orthographic_camera_sees_all_points_along_its_axis) {
+    CameraDescription description = make_camera(CameraType::kOrthographic);
+    // Camera X, Y, Z lie along world Y, Z, X: it looks along -X.
+    description.to_world = {Mat3(Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(1, 0, 0)), {5, 6, 7}};
+    const PixelCamera camera(description, 200, 100);
+    expect_near(camera.direction_to({0, 6, 7}), {-1, 0, 0});
+    expect_near(camera.direction_to({3, 90, -40}), {-1, 0, 0});
+}
+
 }  // namespace
 }  // namespace gg

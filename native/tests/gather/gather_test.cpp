@@ -9,24 +9,12 @@
 #include "gather/shade.h"
 #include "oracles/path_irradiance.h"
 #include "oracles/solution_irradiance.h"
+#include "support/grid_picture.h"
 #include "support/law_scenes.h"
 #include "trace/surface_point.h"
 
 namespace gg::test {
 namespace {
-
-// A visible point of instance's triangle's front.
-Fragment fragment_at(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, Vec2 weights) {
-    Fragment at;
-    at.hit = {instance, triangle, weights.x, weights.y, 1};
-    const SurfacePoint point = surface_point(scene, at.hit);
-    at.position = point.position;
-    at.normal = point.geometric_normal;
-    at.shading_normal = point.shading_normal;
-    at.share = 1;
-    at.albedo = Rgb(0.5F);
-    return at;
-}
 
 Receiver receiver_at(const Solution& solution, const Fragment& at) {
     return {offset_origin(at.position, at.normal, 1),

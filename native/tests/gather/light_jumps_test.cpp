@@ -62,6 +62,29 @@ TEST(LightJumps, other_surfaces_do_not_count) {
     EXPECT_TRUE(turned.found().empty());
 }
 
+// From light 1 to 3, either reflected by a half: over the pixel's own light.
+TEST(LightJumps, a_step_is_told_as_a_share_of_the_pixels_light) {
+    Row row({1, 1, 1, 3, 3, 3});
+    row.tiles[0].pixels[2].emitted = Rgb(0.5F / kPi);
+    const PixelMap map(row.tiles);
+    const auto dark = jumps_in(map, 0, row.light), bright = jumps_in(map, 1, row.light);
+    ASSERT_EQ(dark.size(), 1U);
+    ASSERT_EQ(bright.size(), 1U);
+    EXPECT_NEAR(dark[0].step, 1, 1e-5F);  // 1 over 0.5 and what shines by itself, 0.5
+    EXPECT_NEAR(bright[0].step, 2 / 3.0F, 1e-5F);
+}
+
+// A fragment that is a fifth of its pixel: as the picture shows it.
+TEST(LightJumps, a_step_counts_as_far_as_the_fragment_is_seen) {
+    Row row({1, 1, 1, 3, 3, 3});
+    Fragment& small = row.tiles[0].fragments[2];
+    small.albedo = Rgb(0.1F);
+    row.tiles[0].pixels[2].emitted = Rgb(0.4F / kPi);
+    const auto found = jumps_in(PixelMap(row.tiles), 0, row.light);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NEAR(found[0].step, 0.2F / 0.5F, 1e-5F);
+}
+
 // What shines by itself outshines the step.
 TEST(LightJumps, only_what_the_picture_shows_counts) {
     Row row({1, 1, 1, 2, 2, 2});

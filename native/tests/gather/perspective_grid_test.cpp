@@ -159,5 +159,28 @@ TEST(PerspectiveGrid, points_near_a_vertex_lie_in_its_cells) {
     }
 }
 
+// A cell of 20 pixels is 4 cm wide at 1 m; what lies along the view direction counts by two fifths.
+TEST(PerspectiveGrid, cells_between_points_are_counted_as_they_are_seen) {
+    const PerspectiveGrid grid(camera(), 700, 350, {20, 1, 10, DepthLaw::kLogarithmic});
+    EXPECT_NEAR(grid.cells_between({-0.04F, 0, -1}, {0.04F, 0, -1}), 2, 1e-4F);
+    EXPECT_NEAR(grid.cells_between({0, -0.12F, -3}, {0, 0.12F, -3}), 2, 1e-4F);
+    EXPECT_NEAR(grid.cells_between({0, 0, -1.9F}, {0, 0, -2.1F}), 0.4F * 0.2F / 0.08F, 1e-4F);
+    EXPECT_NEAR(grid.cells_between({-0.15F, 0, -1.9F}, {0.15F, 0, -2.1F}),
+                std::sqrt(0.3F * 0.3F + 0.08F * 0.08F) / 0.08F, 1e-4F);
+    EXPECT_NEAR(grid.cells_between({0.7F, 0, -1.05F}, {0.7F, 0.1F, -1.05F}),
+                grid.cells_between({0.7F, 0.1F, -1.05F}, {0.7F, 0, -1.05F}), 1e-5F);
+    // Nearer than the grid and beyond it cells are as large as at its ends.
+    EXPECT_NEAR(grid.cells_between({-0.04F, 0, -0.1F}, {0.04F, 0, -0.1F}), 2, 1e-4F);
+    EXPECT_NEAR(grid.cells_between({-4, 0, -100}, {4, 0, -100}), 20, 1e-3F);
+}
+
+TEST(PerspectiveGrid, cells_of_an_orthographic_camera_are_equally_large) {
+    const PerspectiveGrid grid(camera(CameraType::kOrthographic), 700, 350, {20, 1, 10, DepthLaw::kLinear});
+    for (const float depth : {1.0F, 3.0F, 9.0F}) {
+        EXPECT_NEAR(grid.cells_between({-0.04F, 0.3F, -depth}, {0.04F, 0.3F, -depth}), 2, 1e-4F);
+        EXPECT_NEAR(grid.cells_between({0.6F, 0.3F, -depth}, {0.6F, 0.3F, -depth - 0.2F}), 2, 1e-4F);
+    }
+}
+
 }  // namespace
 }  // namespace gg

@@ -155,6 +155,24 @@ TEST(Texture, width_blends_levels_without_jumps) {
     }
 }
 
+// A width that covers w x h texels has the level of their geometric mean: stripes of one texel are seen below two, and
+// grey from there on, whichever side is the longer one.
+TEST(Texture, images_longer_than_high_are_filtered_over_a_square_of_the_same_area) {
+    for (const bool wide : {true, false}) {
+        const std::uint32_t columns = wide ? 128 : 32, rows = wide ? 32 : 128;
+        std::vector<float> grey;
+        for (std::uint32_t i = 0; i < columns * rows; ++i) {
+            grey.push_back((wide ? i % columns : i / columns) % 2 == 0 ? 0.5F : 1.5F);
+        }
+        const Pixels pixels(columns, rows, grey);
+        const Vec2 uv = wide ? Vec2(0.5F / 128, 0.5F) : Vec2(0.5F, 0.5F / 128);
+        const float texel = 1 / 64.0F;  // of the square of the same area
+        EXPECT_NEAR(grey_at(pixels.source, uv, 0.99F * texel), 0.5, 1e-3);
+        EXPECT_NEAR(grey_at(pixels.source, uv, 1.5F * texel), 0.75, 1e-3);
+        EXPECT_NEAR(grey_at(pixels.source, uv, 2 * texel), 1, 1e-3);
+    }
+}
+
 TEST(Texture, one_texel_is_its_colour_everywhere) {
     const Pixels pixels(1, 1, {0.5F});
     for (const Vec2 uv : {Vec2(0, 0), Vec2(1, 1), Vec2(0.3F, -17.2F)}) {

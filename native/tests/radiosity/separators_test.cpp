@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "support/test_scenes.h"
+#include "support/opened_clusters.h"
 
 namespace gg::test {
 namespace {
@@ -27,20 +27,8 @@ SceneDescription walled_floor(bool roofed) {
     return builder.description;
 }
 
-struct Split {
-    Prepared prepared;
-    Hierarchy hierarchy{prepared.scene, *prepared.colors, prepared.faces()};
-    Lighting lighting{hierarchy};
-    std::size_t before = 0;
-
-    explicit Split(const SceneDescription& description, float tolerance = 0.02F) : prepared(description) {
-        for (NodeId id = 0; id < hierarchy.nodes().size(); ++id) {
-            if (is_cluster(hierarchy[id])) {
-                hierarchy.open(std::vector<NodeId>{id}, prepared.control);
-            }
-        }
-        lighting.grow(prepared.control);
-        before = hierarchy.nodes().size();
+struct Split : OpenedClusters {
+    explicit Split(const SceneDescription& description, float tolerance = 0.02F) : OpenedClusters(description) {
         split_at_separators(hierarchy, lighting, *prepared.tracer, {tolerance, {3, 3}}, prepared.control);
     }
 

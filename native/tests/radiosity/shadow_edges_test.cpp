@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "support/test_scenes.h"
+#include "support/opened_clusters.h"
 
 namespace gg::test {
 namespace {
@@ -26,15 +26,6 @@ SceneDescription room_with_a_hole() {
     builder.quad({a, b, 2.5F}, {a, 2, 2.5F}, {b, 2, 2.5F}, {b, b, 2.5F}, grey, "ceiling");
     builder.sun({0, 0, -1}, Rgb(100));
     return builder.description;
-}
-
-// Opens all clusters of a hierarchy, so that only elements are leaves.
-void open_clusters(Hierarchy& hierarchy, const Control& control) {
-    for (NodeId id = 0; id < hierarchy.nodes().size(); ++id) {
-        if (is_cluster(hierarchy[id])) {
-            hierarchy.open(std::vector<NodeId>{id}, control);
-        }
-    }
 }
 
 // The patch is a four-hundredth of the floor.

@@ -7,7 +7,7 @@
 
 #include "core/random.h"
 #include "radiosity/source_guide.h"
-#include "support/test_scenes.h"
+#include "support/opened_clusters.h"
 #include "transport/emitter_sampling.h"
 #include "transport/form_factor.h"
 
@@ -108,11 +108,7 @@ TEST(SourceRays, a_glowing_element_brings_its_form_factor) {
     builder.quad({0, 0, -90}, {0, 90, -90}, {90, 90, -90}, {90, 0, -90}, builder.material(Rgb(0.5F)));
     Prepared prepared(builder.description);
     Hierarchy hierarchy(prepared.scene, *prepared.colors, prepared.faces());
-    for (NodeId id = 0; id < hierarchy.nodes().size(); ++id) {
-        if (is_cluster(hierarchy[id])) {
-            hierarchy.open(std::vector<NodeId>{id}, prepared.control);
-        }
-    }
+    open_clusters(hierarchy, prepared.control);
     const SourceGuide guide(hierarchy, {});
     const OffsetPoint x{{0.2F, 0.2F, 0}, {0, 0, 1}};
     double sum = 0, exact = 0, behind = 0, facing_away = 0;

@@ -93,6 +93,26 @@ TEST(emitter_sampling, sphere_irradiance_is_exact_from_few_samples) {
     expect_close(sampled_irradiance(lamp, kTarget, truth.direction, 4), truth.irradiance, 3e-3F);
 }
 
+TEST(emitter_sampling, a_disk_that_faces_receivers_has_the_irradiance_of_one_at_any_distance) {
+    Lamp lamp = sphere(0.5F);
+    lamp.faces_receivers = true;
+    for (const float distance : {0.0F, 0.01F, 0.3F, 0.5F, 2.0F}) {
+        const Vec3 x = lamp.position - Vec3(0, 0, distance), n(0, 0, 1);
+        // From the axis of a disk: pi L r^2 / (r^2 + d^2).
+        const Rgb expected = lamp.radiance * (kPi * 0.25F / (0.25F + distance * distance));
+        expect_close(lamp_irradiance(lamp, x, n), expected, 1e-5F);
+        expect_close(sampled_irradiance(lamp, x, n, 32), expected, 3e-3F);
+        const LampSample sample = sample_lamp(lamp, x, 0.3F, 0.8F);
+        EXPECT_NEAR(sample.point.z, 3, 2e-5F);
+        EXPECT_LE(length(sample.point - lamp.position), 0.5F + 1e-5F);
+    }
+}
+
+TEST(emitter_sampling, a_receiver_within_a_sphere_has_the_light_of_its_surface) {
+    const Lamp lamp = sphere(0.5F);
+    expect_close(lamp_irradiance(lamp, lamp.position - Vec3(0, 0, 0.2F), {0, 0, 1}), lamp.radiance * kPi, 1e-5F);
+}
+
 TEST(emitter_sampling, far_lamps_of_all_shapes_obey_the_inverse_square_law) {
     const Vec3 x{1000, -2000, -3000};
     const Lamp rectangle = flat(LampShape::kRectangle);

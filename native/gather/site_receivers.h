@@ -1,4 +1,4 @@
-// The sites of a picture at the vertices of a grid.
+// The sites of a picture, and from where they look around.
 #pragma once
 
 #include <memory>
@@ -7,20 +7,16 @@
 
 #include "film/fragments.h"
 #include "gather/classify.h"
-#include "gather/perspective_grid.h"
+#include "gather/site_places.h"
 
 namespace gg {
 
 class Control;
 
-// A grid around what is seen. settings: nearest and farthest are found.
-[[nodiscard]] PerspectiveGrid fit_grid(const View& view, float width, float height,
-                                       std::span<const TileFragments> tiles, GridSettings settings);
-
 // Visible points around every vertex that has any, chosen evenly and without regard to their order.
-class GridReceivers {
+class SiteReceivers {
   public:
-    GridReceivers(const Solution& solution, const PerspectiveGrid& grid, std::span<const TileFragments> tiles,
+    SiteReceivers(const Solution& solution, const SitePlaces& places, std::span<const TileFragments> tiles,
                   const Control& control);
 
     [[nodiscard]] std::size_t site_count() const { return begin_.size() - 1; }

@@ -1,4 +1,4 @@
-#include "gather/grid_sites.h"
+#include "gather/site_receivers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +12,7 @@ namespace gg {
 
 namespace {
 
-constexpr std::size_t kReceivers = 200;    // of a site
-constexpr float kFewest = 0.005F;          // share of what is seen that may be nearer or farther than the grid
-constexpr float kBeyond = 1.05F;           // by which the grid reaches farther than that
-constexpr std::size_t kEveryFragment = 7;  // that depths are taken from
+constexpr std::size_t kReceivers = 200;  // of a site
 
 // A fragment next to a vertex.
 struct Candidate {
@@ -52,18 +49,16 @@ void thin_out(std::vector<Candidate>& all) {
     all.resize(kept);
 }
 
-std::vector<Candidate> candidates_of(const Solution& solution, const PerspectiveGrid& grid, const TileFragments& tile,
+std::vector<Candidate> candidates_of(const Solution& solution, const SitePlaces& places, const TileFragments& tile,
                                      std::uint32_t index) {
     std::vector<Candidate> found;
     for (std::uint32_t f = 0; f < tile.fragments.size(); ++f) {
         const Fragment& at = tile.fragments[f];
-        const GridPlace place = grid.place(at.position);
+        const SitePlace place = places.of(at);
         const NodeId node = place_at(solution, at.hit.instance, at.hit.triangle, at.back, at.position);
         const auto rank = static_cast<std::uint32_t>(hash64(index, f));
-        for (int k = 0; k < 4; ++k) {
-            if (place.weights[k] > 0) {
-                found.push_back({place.vertices[k], 0, rank, node, index, f});
-            }
+        for (std::uint32_t k = 0; k < place.count; ++k) {
+            found.push_back({place.vertices[k], 0, rank, node, index, f});
         }
     }
     thin_out(found);
@@ -84,29 +79,12 @@ Receiver make_receiver(const Solution& solution, const Fragment& at, NodeId plac
 
 }  // namespace
 
-PerspectiveGrid fit_grid(const View& view, float width, float height, std::span<const TileFragments> tiles,
-                         GridSettings settings) {
-    std::vector<float> depths;
-    for (const TileFragments& tile : tiles) {
-        for (std::size_t f = 0; f < tile.fragments.size(); f += kEveryFragment) {
-            depths.push_back(view.camera.project(tile.fragments[f].position).z);
-        }
-    }
-    if (!depths.empty()) {
-        std::sort(depths.begin(), depths.end());
-        const auto few = static_cast<std::size_t>(kFewest * static_cast<float>(depths.size()));
-        settings.nearest = std::max(depths[few] / kBeyond, 1e-4F);
-        settings.farthest = std::max(depths[depths.size() - 1 - few] * kBeyond, settings.nearest);
-    }
-    return {view.camera, width, height, settings};
-}
-
-GridReceivers::GridReceivers(const Solution& solution, const PerspectiveGrid& grid,
-                             std::span<const TileFragments> tiles, const Control& control) {
+SiteReceivers::SiteReceivers(const Solution& solution, const SitePlaces& places, std::span<const TileFragments> tiles,
+                             const Control& control) {
     std::vector<Candidate> all = parallel_collect<Candidate>(
         tiles.size(), 1, control, [&](std::size_t begin, std::size_t end, std::vector<Candidate>& out) {
             for (std::size_t i = begin; i < end; ++i) {
-                const auto found = candidates_of(solution, grid, tiles[i], static_cast<std::uint32_t>(i));
+                const auto found = candidates_of(solution, places, tiles[i], static_cast<std::uint32_t>(i));
                 out.insert(out.end(), found.begin(), found.end());
             }
         });
@@ -115,7 +93,7 @@ GridReceivers::GridReceivers(const Solution& solution, const PerspectiveGrid& gr
     parallel_for(all.size(), 256, control, [&](std::size_t i) {
         receivers_[i] = make_receiver(solution, tiles[all[i].tile].fragments[all[i].fragment], all[i].place);
     });
-    site_of_.assign(grid.vertex_count(), kNone);
+    site_of_.assign(places.vertex_count(), kNone);
     double radiosity = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
         radiosity += static_cast<double>(receivers_[i].reflectance) * receivers_[i].irradiance;
