@@ -50,7 +50,7 @@ std::vector<std::vector<PlacedFragment>> blocks_of(const GridPicture& picture) {
 
 // Shades a block and traces its rays once more.
 void add(const GridPicture& picture, Shader& shader, std::span<const PlacedFragment> block, Times& times) {
-    std::vector<Rgb> light(block.size());
+    std::vector<PointLight> light(block.size());
     std::vector<PointCounts> taken(block.size());
     auto start = Clock::now();
     shader.shade(block, light, taken);

@@ -10,9 +10,13 @@ namespace {
 
 constexpr float kJump = 0.2F;         // of the pixel's light
 constexpr float kSameSurface = 0.9F;  // cosine between normals
+constexpr float kOffPlane = 0.5F;     // sine of the angle to the surface under which the other one lies, at most
 
+// Leaves of one plant that lie behind one another are not.
 bool is_same_surface(const Fragment& a, const Fragment& b) {
-    return a.hit.instance == b.hit.instance && a.back == b.back && dot(a.normal, b.normal) > kSameSurface;
+    const Vec3 across = b.position - a.position;
+    return a.hit.instance == b.hit.instance && a.back == b.back && dot(a.normal, b.normal) > kSameSurface &&
+           std::abs(dot(across, a.normal)) <= kOffPlane * length(across);
 }
 
 // The largest difference between a fragment's light and that of its surface in another pixel, as the picture shows it.

@@ -45,6 +45,7 @@ struct PixelCounts {
 
 struct LitTile {
     TileLight light;
+    std::vector<Rgb> near;  // PointLight::near of every fragment
     std::vector<PixelCounts> taken;  // per pixel
 };
 
@@ -54,14 +55,18 @@ class TileLighter {
         : view_(view), tile_(tile), gatherer_(gatherer), lit_(lit), control_(control) {}
 
     void light_fragments() {
-        lit_.light.resize(tile_.fragments.size());
         lit_.taken.resize(tile_.pixels.size());
+        std::vector<PointLight> light(tile_.fragments.size());
         std::vector<PointCounts> taken(tile_.fragments.size());
         for (std::size_t begin = 0; begin < taken.size(); begin += kFragmentsAtOnce) {
             control_.check_cancel();
             const std::size_t count = std::min(kFragmentsAtOnce, taken.size() - begin);
             gatherer_.shade(std::span(tile_.fragments).subspan(begin, count),
-                            std::span(lit_.light).subspan(begin, count), std::span(taken).subspan(begin, count));
+                            std::span(light).subspan(begin, count), std::span(taken).subspan(begin, count));
+        }
+        for (const PointLight& of_fragment : light) {
+            lit_.light.push_back(of_fragment.all);
+            lit_.near.push_back(of_fragment.near);
         }
         for (std::size_t p = 0; p < tile_.pixels.size(); ++p) {
             for (std::uint32_t f = tile_.begin_of(p); f < tile_.pixels[p].end; ++f) {
@@ -105,13 +110,13 @@ class TileLighter {
         light_.resize(own_.size());
         taken_.resize(own_.size());
         const std::uint32_t whole = tile_.begin_of(of.pixel) + of.fragment;
-        gatherer_.shade_parts(tile_.fragments[whole], own_, light_, taken_);
+        gatherer_.shade_parts(tile_.fragments[whole], lit_.near[whole], own_, light_, taken_);
         Rgb reflected(0.0F), albedo(0.0F), least(kInfinity), most(0.0F);
         for (std::size_t i = 0; i < own_.size(); ++i) {
-            reflected += own_[i].albedo * light_[i];
+            reflected += own_[i].albedo * light_[i].all;
             albedo += own_[i].albedo;
-            least = glm::min(least, light_[i]);
-            most = glm::max(most, light_[i]);
+            least = glm::min(least, light_[i].all);
+            most = glm::max(most, light_[i].all);
             lit_.taken[of.pixel].add(taken_[i]);
         }
         lit_.light[whole] = reflected / glm::max(albedo, Rgb(1e-20F));
@@ -124,7 +129,7 @@ class TileLighter {
     LitTile& lit_;
     const Control& control_;
     std::vector<Fragment> own_;
-    TileLight light_;
+    std::vector<PointLight> light_;
     std::vector<PointCounts> taken_;
 };
 

@@ -9,6 +9,7 @@
 #include "film/fragments.h"
 #include "film/solution_view.h"
 #include "gather/gather_counts.h"
+#include "gather/shade.h"
 
 namespace gg {
 
@@ -20,12 +21,13 @@ class Gatherer {
   public:
     virtual ~Gatherer() = default;
 
-    // Neighbours are faster together. light: irradiance of each, W/m2; taken: what each took.
-    virtual void shade(std::span<const Fragment> fragments, std::span<Rgb> light, std::span<PointCounts> taken) = 0;
+    // Neighbours are faster together. light, taken: of each; what it took.
+    virtual void shade(std::span<const Fragment> fragments, std::span<PointLight> light,
+                       std::span<PointCounts> taken) = 0;
     // The same for parts of a fragment that has been shaded: what is known of the light around it does for them, too,
-    // though they may lie where nothing else was seen.
-    virtual void shade_parts(const Fragment& whole, std::span<const Fragment> parts, std::span<Rgb> light,
-                             std::span<PointCounts> taken) = 0;
+    // though they may lie where nothing else was seen. near: of that fragment.
+    virtual void shade_parts(const Fragment& whole, Rgb near, std::span<const Fragment> parts,
+                             std::span<PointLight> light, std::span<PointCounts> taken) = 0;
     [[nodiscard]] virtual const GatherCounts& counts() const = 0;  // of all that it did
     // The cell of the grid that a fragment lies in, 0 without a grid.
     [[nodiscard]] virtual std::uint32_t cell_of(const Fragment& fragment) const = 0;

@@ -42,10 +42,11 @@ class FullGatherer : public Gatherer {
                  int samples)
         : solution_(solution), gather_(solution, order, points, tracer, samples) {}
 
-    void shade(std::span<const Fragment> fragments, std::span<Rgb> light, std::span<PointCounts> taken) override {
+    void shade(std::span<const Fragment> fragments, std::span<PointLight> light,
+               std::span<PointCounts> taken) override {
         for (std::size_t i = 0; i < fragments.size(); ++i) {
             const GatherCounts before = gather_.counts();
-            light[i] = gather_.irradiance(fragments[i], expected_irradiance(solution_, fragments[i]));
+            light[i] = {gather_.irradiance(fragments[i], expected_irradiance(solution_, fragments[i])), Rgb(0.0F)};
             const GatherCounts& now = gather_.counts();
             taken[i] = {static_cast<std::uint32_t>(now.visibility_rays + now.near_rays - before.visibility_rays -
                                                    before.near_rays),
@@ -53,7 +54,7 @@ class FullGatherer : public Gatherer {
                         static_cast<std::uint32_t>(now.senders - before.senders)};
         }
     }
-    void shade_parts(const Fragment&, std::span<const Fragment> parts, std::span<Rgb> light,
+    void shade_parts(const Fragment&, Rgb, std::span<const Fragment> parts, std::span<PointLight> light,
                      std::span<PointCounts> taken) override {
         shade(parts, light, taken);
     }
@@ -71,19 +72,21 @@ class SiteGatherer : public Gatherer {
                  const Shader& shader)
         : places_(places), receivers_(receivers), sites_(sites), shader_(shader) {}
 
-    void shade(std::span<const Fragment> fragments, std::span<Rgb> light, std::span<PointCounts> taken) override {
+    void shade(std::span<const Fragment> fragments, std::span<PointLight> light,
+               std::span<PointCounts> taken) override {
         placed_.clear();
         for (const Fragment& at : fragments) {
             placed_.push_back(placed(at));
         }
         shader_.shade(placed_, light, taken);
     }
-    void shade_parts(const Fragment& whole, std::span<const Fragment> parts, std::span<Rgb> light,
+    void shade_parts(const Fragment& whole, Rgb near, std::span<const Fragment> parts, std::span<PointLight> light,
                      std::span<PointCounts> taken) override {
         placed_.clear();
         for (const Fragment& at : parts) {
             placed_.push_back(placed(has_all_sites(at) ? at : whole));
             placed_.back().at = at;
+            placed_.back().near = near;
         }
         shader_.shade(placed_, light, taken);
     }
@@ -102,7 +105,7 @@ class SiteGatherer : public Gatherer {
     // Between sites that all exist: a whole fragment was a receiver of all of its own.
     [[nodiscard]] PlacedFragment placed(const Fragment& at) const {
         const SitePlace place = places_.of(at);
-        PlacedFragment here{at, {}, place.count, place.on_surface};
+        PlacedFragment here{at, {}, place.count, place.on_surface, {}};
         for (std::uint32_t k = 0; k < place.count; ++k) {
             here.around[k] = {&sites_[receivers_.site_at(place.vertices[k])], place.weights[k]};
         }

@@ -77,7 +77,7 @@ void Shader::trace() {
         ++points_[owner.point].taken.visibility_rays;
     }
     for (std::size_t k = 0; k < sky_rays_; ++k) {
-        points_[owners_[k].point].light += blocked_[k] ? Rgb(0.0F) : owners_[k].weight * world;
+        points_[owners_[k].point].light.all += blocked_[k] ? Rgb(0.0F) : owners_[k].weight * world;
     }
     for (std::size_t k = sky_rays_; k < rays_.size(); ++k) {
         Task& task = tasks_[owners_[k].task];
@@ -108,11 +108,14 @@ Rgb Shader::light_of_models(const PlacedFragment& fragment, const Point& point, 
     return sum;
 }
 
-// What surfaces close by bring in place of what tables say of their directions.
 void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
     near_.clear();
     for (std::size_t p = 0; p < fragments.size(); ++p) {
         near_.push_back({points_[p].x, fragments[p].at.normal, {}, 0});
+        if (fragments[p].near) {
+            points_[p].light.near = *fragments[p].near;
+            continue;
+        }
         for (const WeightedSite& weighted : fragments[p].sites()) {
             near_[p].reach = std::max(near_[p].reach, weighted.site->reach.none);
             near_[p].cells |= weighted.site->near_cells;
@@ -129,14 +132,14 @@ void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
             const float near = site.near_cells[met.cell] ? site.reach.nearness(met.distance) : 0;
             if (near > 0) {
                 const Rgb radiance = holds(site.apart, met.rank) ? Rgb(0.0F) : met.radiance;
-                points_[met.point].light += weighted.weight * near * cosines_[met.point].of[met.cell] *
+                points_[met.point].light.near += weighted.weight * near * cosines_[met.point].of[met.cell] *
                                             (kTableSolidAngle * radiance - site.table.at(met.cell));
             }
         }
     }
 }
 
-void Shader::shade(std::span<const PlacedFragment> fragments, std::span<Rgb> light, std::span<PointCounts> taken) {
+void Shader::shade(std::span<const PlacedFragment> fragments, std::span<PointLight> light, std::span<PointCounts> taken) {
     points_.clear();
     tasks_.clear();
     cosines_.clear();
@@ -160,11 +163,12 @@ void Shader::shade(std::span<const PlacedFragment> fragments, std::span<Rgb> lig
     add_sender_rays(fragments);
     trace();
     for (std::size_t p = 0; p < fragments.size(); ++p) {
-        points_[p].light += light_of_models(fragments[p], points_[p], cosines_[p]);
+        points_[p].light.all += light_of_models(fragments[p], points_[p], cosines_[p]);
     }
     add_near_light(fragments);
     for (std::size_t p = 0; p < fragments.size(); ++p) {
         light[p] = points_[p].light;
+        light[p].all += light[p].near;
         taken[p] = points_[p].taken;
         counts_.form_factors += taken[p].form_factors;
         counts_.on_surface += taken[p].on_surface;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,8 +28,15 @@ struct PlacedFragment {
     std::array<WeightedSite, SitePlace::kMost> around;
     std::uint32_t count = 0;  // of sites
     float on_surface = 0;     // weight of those on the fragment's surface
+    std::optional<Rgb> near = std::nullopt;  // if it is known: PointLight::near
 
     [[nodiscard]] std::span<const WeightedSite> sites() const { return std::span(around).first(count); }
+};
+
+// Irradiance, W/m2.
+struct PointLight {
+    Rgb all{0.0F};
+    Rgb near{0.0F};  // part of it: what surfaces close by bring beyond what tables say of their directions
 };
 
 // Shades points, several at a time: where they lie together, so do their rays. For one thread.
@@ -36,8 +44,8 @@ class Shader {
   public:
     Shader(const Solution& solution, const NodeOrder& order, const ClusterPoints& points, const RayTracer& tracer);
 
-    // light: irradiance of each, W/m2. taken: what each took.
-    void shade(std::span<const PlacedFragment> fragments, std::span<Rgb> light, std::span<PointCounts> taken);
+    // light, taken: of each; what it took.
+    void shade(std::span<const PlacedFragment> fragments, std::span<PointLight> light, std::span<PointCounts> taken);
     [[nodiscard]] const GatherCounts& counts() const { return counts_; }
 
     // Of the last call: to senders and the sky, and to what is near.
@@ -61,7 +69,7 @@ class Shader {
         Vec3 x{0.0F};  // where its rays start
         float share_of_samples = 1;
         std::uint32_t first_task = 0, end_task = 0;
-        Rgb light{0.0F};
+        PointLight light;
         PointCounts taken;
     };
 

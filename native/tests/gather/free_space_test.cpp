@@ -59,11 +59,11 @@ struct Space {
         placed.around[0] = {&site, 1};
         placed.count = 1;
         Shader shader(*solution, order, cluster_points, *prepared.tracer);
-        Rgb light(0.0F);
+        PointLight light;
         PointCounts taken;
         shader.shade(std::span(&placed, 1), std::span(&light, 1), std::span(&taken, 1));
         EXPECT_EQ(taken.senders, site.senders.size());
-        return luminance(light);
+        return luminance(light.all);
     }
 };
 

@@ -41,10 +41,10 @@ struct Gathered {
 Rgb light_at(Shader& shader, const Fragment& at, std::span<const WeightedSite> sites) {
     PlacedFragment placed{at, {}, static_cast<std::uint32_t>(sites.size())};
     std::copy(sites.begin(), sites.end(), placed.around.begin());
-    Rgb light(0.0F);
+    PointLight light;
     PointCounts taken;
     shader.shade(std::span(&placed, 1), std::span(&light, 1), std::span(&taken, 1));
-    return light;
+    return light.all;
 }
 
 // Every face emits 1 W/m2 and reflects half: 2 W/m2 fall everywhere.
@@ -136,11 +136,11 @@ TEST(GridGatherTest, points_together_have_the_light_they_have_alone) {
         const Fragment at = fragment_at(room.prepared.scene, k / 2, 0, {0.3F, 0.2F + 0.1F * static_cast<float>(k % 2)});
         placed.push_back({at, {WeightedSite{&sites[k / 2], 0.75F}, WeightedSite{&sites[2], 0.25F}}, 2});
     }
-    std::vector<Rgb> together(placed.size());
+    std::vector<PointLight> together(placed.size());
     std::vector<PointCounts> taken(placed.size());
     shader.shade(placed, together, taken);
     for (std::size_t k = 0; k < placed.size(); ++k) {
-        EXPECT_NEAR(luminance(light_at(shader, placed[k].at, placed[k].sites()) / together[k]), 1, 1e-5F) << k;
+        EXPECT_NEAR(luminance(light_at(shader, placed[k].at, placed[k].sites()) / together[k].all), 1, 1e-5F) << k;
     }
 }
 

@@ -106,14 +106,18 @@ std::vector<Fragment> GridPicture::some_fragments(std::size_t count) const {
 }
 
 std::vector<Rgb> light_at(Shader& shader, const std::vector<PlacedFragment>& points) {
-    std::vector<Rgb> light(points.size());
+    std::vector<PointLight> light(points.size());
     std::vector<PointCounts> taken(points.size());
     for (std::size_t begin = 0; begin < points.size(); begin += kTogether) {
         const std::size_t count = std::min(kTogether, points.size() - begin);
         shader.shade(std::span(points).subspan(begin, count), std::span(light).subspan(begin, count),
                      std::span(taken).subspan(begin, count));
     }
-    return light;
+    std::vector<Rgb> all;
+    for (const PointLight& of_point : light) {
+        all.push_back(of_point.all);
+    }
+    return all;
 }
 
 }  // namespace gg::test
