@@ -96,7 +96,7 @@ void Classifier::add_rays(Candidate& candidate, std::span<const Receiver> receiv
     for (std::uint32_t k = 0; k < most && rays_.size() < wanted; ++k) {
         const Receiver& receiver = receivers[(sender + k) % receivers.size()];
         if (cluster) {
-            const FacePoint& target = points_.of(sender)[point % kClusterPoints];
+            const FacePoint target = points_.of(sender)[point % kClusterPoints];
             const Vec3 to = target.position - receiver.position;
             ++point;
             if (receiver.faces(to) && dot(to, target.normal) < 0) {

@@ -101,9 +101,9 @@ void FreeSpaceClassifier::sample(Candidate& candidate, std::span<const Vec3> poi
         sum += share * v.irradiance;
         mean += share * size * v.direction;
         if (is_cluster(node)) {
-            const auto faces = cluster_points_.of(candidate.sender);
+            const ClusterFaces& faces = cluster_points_.of(candidate.sender);
             if (!faces.empty()) {
-                rays_.push_back({points[i], faces[i % faces.size()].position - points[i], 0, kAlmost});
+                rays_.push_back({points[i], faces[i % kClusterPoints].position - points[i], 0, kAlmost});
             }
         } else if (size > 0) {
             const SenderPoint to = SenderSampler(solution_, candidate.sender, points[i], v.direction).point(i);

@@ -36,9 +36,9 @@ void FullGather::add_rays(const Fragment& at, Task& task, std::uint32_t count) {
     const Vec3 x = offset_origin(at.position, at.normal, 1);
     task.first_ray = static_cast<std::uint32_t>(rays_.size());
     if (is_cluster(node)) {
-        const auto points = points_.of(sender);
-        const std::uint32_t all = std::min(count, static_cast<std::uint32_t>(points.size()));
-        const float share = static_cast<float>(points.size()) / static_cast<float>(std::max(all, 1U));
+        const ClusterFaces& points = points_.of(sender);
+        const std::uint32_t all = points.empty() ? 0 : std::min(count, kClusterPoints);
+        const float share = static_cast<float>(kClusterPoints) / static_cast<float>(std::max(all, 1U));
         for (std::uint32_t i = 0; i < all; ++i) {
             const Vec3 to = points[i].position - x;
             const Rgb light =
@@ -76,15 +76,7 @@ void FullGather::plan(const Fragment& at) {
         if (hierarchy[sender].kind == NodeKind::kSky) {
             continue;
         }
-        if (is_cluster(hierarchy[sender])) {
-            const auto points = points_.of(sender);
-            for (const FacePoint& point : points) {
-                task.light += irradiance_from(point, 1, point.position - at.position, at.shading_normal,
-                                              0.5F * hierarchy[sender].area / static_cast<float>(points.size()));
-            }
-        } else {
-            task.light = unoccluded_irradiance(solution_, sender, at.position, at.shading_normal);
-        }
+        task.light = unoccluded_irradiance(solution_, points_, sender, at.position, at.shading_normal);
         if (luminance(task.light) > 0) {
             all += luminance(task.light);
             tasks_.push_back(task);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/wide.h"
 #include "radiosity/quarter.h"
 #include "transport/form_factor.h"
 
@@ -25,6 +26,11 @@ Rgb from_part(Vec3 x, Vec3 n, const std::array<Vec3, 3>& corners, const std::arr
         sum += from_part(x, n, quarter_of(corners, quarter), quarter_of(radiosity, quarter), levels - 1);
     }
     return sum;
+}
+
+// The lane sums.
+Vec3 sum_of(const WideVec3& v) {
+    return {reduce(v.x), reduce(v.y), reduce(v.z)};
 }
 
 }  // namespace
@@ -75,19 +81,43 @@ IrradianceVector irradiance_vector(const Solution& solution, const ClusterPoints
     if (!is_cluster(node)) {
         return irradiance_vector(solution, sender, x);
     }
-    const auto points = cluster_points.of(sender);
-    Rgb sum(0.0F);
-    Vec3 vector(0.0F);
-    for (const FacePoint& point : points) {
-        const Vec3 to = point.position - x;
-        const Vec3 direction = normalize_or_zero(to);
-        const Rgb light =
-            irradiance_from(point, 1, to, direction, 0.5F * node.area / static_cast<float>(points.size()));
-        sum += light;
-        vector += luminance(light) * direction;
+    const ClusterFaces& faces = cluster_points.of(sender);
+    const WideVec3 at(x);
+    WideVec3 sums, vectors;
+    for (std::size_t i = 0; i < kClusterPoints; i += kLanes) {
+        const WideVec3 to = WideVec3(load(&faces.x[i]), load(&faces.y[i]), load(&faces.z[i])) - at;
+        const WideVec3 normal(load(&faces.normal_x[i]), load(&faces.normal_y[i]), load(&faces.normal_z[i]));
+        const Wide square = max(dot(to, to), Wide(1e-30F));
+        const Wide inverse = 1 / sqrt(square);
+        const Wide factor = max(Wide(0), Wide(-dot(normal, to))) * inverse / (square + cluster_disk(node) / kPi);
+        const WideVec3 light = factor * WideVec3(load(&faces.red[i]), load(&faces.green[i]), load(&faces.blue[i]));
+        sums = sums + light;
+        vectors = vectors + luminance(light) * inverse * to;
     }
+    const Rgb sum = sum_of(sums);
+    const Vec3 vector = sum_of(vectors);
     const float size = length(vector), all = luminance(sum);
     return {all > 0 ? size / all * sum : Rgb(0.0F), size > 0 ? vector / size : Vec3(0, 0, 1)};
+}
+
+Rgb unoccluded_irradiance(const Solution& solution, const ClusterPoints& cluster_points, NodeId sender, Vec3 x,
+                          Vec3 n) {
+    const Node& node = hierarchy_of(solution)[sender];
+    if (!is_cluster(node)) {
+        return unoccluded_irradiance(solution, sender, x, n);
+    }
+    const ClusterFaces& faces = cluster_points.of(sender);
+    const WideVec3 at(x), up(n);
+    WideVec3 sums;
+    for (std::size_t i = 0; i < kClusterPoints; i += kLanes) {
+        const WideVec3 to = WideVec3(load(&faces.x[i]), load(&faces.y[i]), load(&faces.z[i])) - at;
+        const WideVec3 normal(load(&faces.normal_x[i]), load(&faces.normal_y[i]), load(&faces.normal_z[i]));
+        const Wide square = max(dot(to, to), Wide(1e-30F));
+        const Wide cosines = max(Wide(0), dot(up, to)) * max(Wide(0), Wide(-dot(normal, to)));
+        const Wide factor = cosines / (square * (square + cluster_disk(node) / kPi));
+        sums = sums + factor * WideVec3(load(&faces.red[i]), load(&faces.green[i]), load(&faces.blue[i]));
+    }
+    return sum_of(sums);
 }
 
 Rgb irradiance_from(const FacePoint& point, float share, Vec3 to, Vec3 n, float area) {

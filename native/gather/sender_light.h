@@ -12,6 +12,10 @@ namespace gg {
 // Irradiance [W/m2] of an element or a lamp at x on unit normal n, clipped against its horizon.
 [[nodiscard]] Rgb unoccluded_irradiance(const Solution& solution, NodeId sender, Vec3 x, Vec3 n);
 
+// The same of any sender but the sky; of a cluster by its points.
+[[nodiscard]] Rgb unoccluded_irradiance(const Solution& solution, const ClusterPoints& cluster_points, NodeId sender,
+                                        Vec3 x, Vec3 n);
+
 // The same as a vector, for any normal that has all of the sender above its horizon.
 [[nodiscard]] IrradianceVector irradiance_vector(const Solution& solution, NodeId sender, Vec3 x);
 
@@ -22,5 +26,10 @@ namespace gg {
 // Irradiance [W/m2] from a point of a cluster at distance vector `to` on unit normal n, if the point stands for `share`
 // times what its power says. Bounded close by: it stands for a disk of `area` [m2].
 [[nodiscard]] Rgb irradiance_from(const FacePoint& point, float share, Vec3 to, Vec3 n, float area);
+
+// That area [m2] where all of its points count.
+[[nodiscard]] inline float cluster_disk(const Node& cluster) {
+    return 0.5F * cluster.area / static_cast<float>(kClusterPoints);
+}
 
 }  // namespace gg

@@ -67,35 +67,47 @@ class LeafSampler {
     double total_ = 0;
 };
 
-float brightness(std::span<const FacePoint> points) {
+}  // namespace
+
+void ClusterFaces::set(std::uint32_t i, const FacePoint& point) {
+    x[i] = point.position.x;
+    y[i] = point.position.y;
+    z[i] = point.position.z;
+    normal_x[i] = point.normal.x;
+    normal_y[i] = point.normal.y;
+    normal_z[i] = point.normal.z;
+    red[i] = point.power.x;
+    green[i] = point.power.y;
+    blue[i] = point.power.z;
+}
+
+float ClusterFaces::power() const {
     float sum = 0;
-    for (const FacePoint& point : points) {
-        sum += luminance(point.power);
+    for (std::uint32_t i = 0; i < kClusterPoints; ++i) {
+        sum += power(i);
     }
     return sum;
 }
-
-}  // namespace
 
 ClusterPoints::ClusterPoints(const Solution& solution, const Control& control) {
     const Hierarchy& hierarchy = hierarchy_of(solution);
     if (!hierarchy.has_geometry()) {
         return;
     }
-    first_.assign(hierarchy.nodes().size(), kNone);
+    index_.assign(hierarchy.nodes().size(), kNone);
     std::vector<NodeId> leaves, inner;
     std::uint32_t count = 0;
     for (NodeId id = 0; id < hierarchy.nodes().size(); ++id) {
         if (is_cluster(hierarchy[id])) {
             (hierarchy[id].child_count == 0 ? leaves : inner).push_back(id);
-            first_[id] = kClusterPoints * count++;
+            index_[id] = count++;
         }
     }
-    points_.resize(std::size_t{kClusterPoints} * count);
+    faces_.resize(count);
     parallel_for(leaves.size(), 1, control, [&](std::size_t i) {
         const LeafSampler sampler(solution, leaves[i]);
         for (std::uint32_t k = 0; k < kClusterPoints && sampler.total() > 0; ++k) {
-            points_[first_[leaves[i]] + k] = sampler.point(k, hierarchy[leaves[i]].stable_id);
+            faces_[index_[leaves[i]]].set(k, sampler.point(k, hierarchy[leaves[i]].stable_id));
         }
     });
     // Children come after their parents.
@@ -106,7 +118,7 @@ ClusterPoints::ClusterPoints(const Solution& solution, const Control& control) {
         float total = 0;
         for (NodeId child = node.first_child; child < node.first_child + node.child_count; ++child) {
             const float light = is_cluster(hierarchy[child])
-                                    ? brightness(of(child))
+                                    ? of(child).power()
                                     : hierarchy[child].area * luminance(radiosity_of(solution, child)) / kPi;
             total += light;
             children.push_back(child);
@@ -119,7 +131,7 @@ ClusterPoints::ClusterPoints(const Solution& solution, const Control& control) {
                 static_cast<std::size_t>(std::upper_bound(sums.begin(), sums.end() - 1, target) - sums.begin());
             const Node& child = hierarchy[children[found]];
             const std::uint32_t index = taken[found]++;
-            FacePoint& point = points_[first_[*id] + k];
+            FacePoint point;
             if (is_cluster(child)) {
                 point = of(children[found])[index % kClusterPoints];
             } else {
@@ -129,26 +141,15 @@ ClusterPoints::ClusterPoints(const Solution& solution, const Control& control) {
                          radiosity_of(solution, children[found])};
             }
             point.power *= total / kClusterPoints / std::max(luminance(point.power), 1e-30F);
+            faces_[index_[*id]].set(k, point);
         }
     }
-}
-
-std::span<const FacePoint> ClusterPoints::of(NodeId cluster) const {
-    const std::span<const FacePoint> found = std::span(points_).subspan(first_[cluster], kClusterPoints);
-    return luminance(found.front().power) > 0 ? found : std::span<const FacePoint>();
 }
 
 SenderSampler::SenderSampler(const Solution& solution, NodeId sender, Vec3 x, Vec3 n)
     : node_(hierarchy_of(solution)[sender]), x_(x), n_(n), places_(hash64(node_.stable_id, kPlaceSeed)) {
     if (node_.kind == NodeKind::kLamp) {
         lamp_ = &hierarchy_of(solution).scene().lamps[node_.source];
-        sampler_.emplace(*lamp_, x, n);
-    }
-}
-
-SenderSampler::SenderSampler(const SenderSampler& like, Vec3 x, Vec3 n)
-    : node_(like.node_), lamp_(like.lamp_), x_(x), n_(n), places_(like.places_) {
-    if (lamp_ != nullptr) {
         sampler_.emplace(*lamp_, x, n);
     }
 }
@@ -164,6 +165,8 @@ SenderPlace SenderSampler::place(std::uint32_t index) const {
         const LampSample sample = sampler_->sample(place.u, place.v);
         place.target = sample.direction;
         place.light = luminance(sample.normal_irradiance);
+    } else if (lamp_->shape == LampShape::kRectangle || lamp_->shape == LampShape::kEllipse) {
+        place.target = flat_point(*lamp_, place.u, place.v);
     }
     return place;
 }
@@ -171,7 +174,7 @@ SenderPlace SenderSampler::place(std::uint32_t index) const {
 SenderPoint SenderSampler::point(const SenderPlace& place) const {
     if (lamp_ == nullptr) {
         const Vec3 to = place.target - x_;
-        const float square = length_squared(to) + 1e-3F * node_.area;
+        const float square = length_squared(to) + kSoftShare * node_.area;
         return {to, false, std::max(0.0F, dot(n_, to)) * std::max(0.0F, -dot(node_.normal, to)) / (square * square)};
     }
     if (lamp_->shape == LampShape::kDistant) {

@@ -2,6 +2,7 @@
 // picture see the same shadows. Every prefix of a sender's points is evenly spread.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -23,19 +24,36 @@ struct FacePoint {
 };
 inline constexpr std::uint32_t kClusterPoints = 32;
 
+// The points of one cluster, field by field, so that many are worked on at once; or none.
+class ClusterFaces {
+  public:
+    using Field = std::array<float, kClusterPoints>;
+
+    [[nodiscard]] FacePoint operator[](std::uint32_t i) const {
+        return {{x[i], y[i], z[i]}, {normal_x[i], normal_y[i], normal_z[i]}, {red[i], green[i], blue[i]}};
+    }
+    void set(std::uint32_t i, const FacePoint& point);
+    [[nodiscard]] bool empty() const { return !(power(0) > 0); }
+    // Luminance.
+    [[nodiscard]] float power(std::uint32_t i) const { return luminance(Rgb(red[i], green[i], blue[i])); }
+    [[nodiscard]] float power() const;  // of all
+
+    Field x{}, y{}, z{}, normal_x{}, normal_y{}, normal_z{}, red{}, green{}, blue{};  // as of FacePoint
+};
+
 // Of all clusters: chosen by radiance times area; a parent's points are its children's.
 class ClusterPoints {
   public:
     ClusterPoints() = default;
     ClusterPoints(const Solution& solution, const Control& control);
 
-    // Empty for a dark cluster; else kClusterPoints.
-    [[nodiscard]] std::span<const FacePoint> of(NodeId cluster) const;
-    [[nodiscard]] std::size_t bytes() const { return points_.capacity() * sizeof(FacePoint); }
+    // Empty for a dark cluster.
+    [[nodiscard]] const ClusterFaces& of(NodeId cluster) const { return faces_[index_[cluster]]; }
+    [[nodiscard]] std::size_t bytes() const { return faces_.capacity() * sizeof(ClusterFaces); }
 
   private:
-    std::vector<std::uint32_t> first_;  // per node, into points_, or kNone
-    std::vector<FacePoint> points_;
+    std::vector<std::uint32_t> index_;  // per node, into faces_, or kNone
+    std::vector<ClusterFaces> faces_;
 };
 
 // Where a ray to a point of an element or lamp goes.
@@ -45,10 +63,13 @@ struct SenderPoint {
     float weight = 0;  // what arrives from there: cosines over distance squared, any constant factor
 };
 
+// By which the square of the distance to a point of an element is larger than it is, as a share of the element's area.
+inline constexpr float kSoftShare = 1e-3F;
+
 // What is the same of a point for all receivers.
 struct SenderPlace {
     float u = 0, v = 0;
-    Vec3 target{0.0F};  // elements: the point; distant lamps: the direction to it
+    Vec3 target{0.0F};  // elements and flat lamps by area: the point; distant lamps: the direction to it
     float light = 0;    // distant lamps: luminance on a plane that faces it
 };
 
@@ -56,8 +77,6 @@ struct SenderPlace {
 class SenderSampler {
   public:
     SenderSampler(const Solution& solution, NodeId sender, Vec3 x, Vec3 n);
-    // Of the same sender for another receiver.
-    SenderSampler(const SenderSampler& like, Vec3 x, Vec3 n);
 
     [[nodiscard]] SenderPoint point(std::uint32_t index) const { return point(place(index)); }
     [[nodiscard]] SenderPlace place(std::uint32_t index) const;

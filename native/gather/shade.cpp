@@ -16,7 +16,7 @@ constexpr float kShareOfSamples = 0.75F;  // power of a fragment's share by whic
 }  // namespace
 
 Shader::Shader(const Solution& solution, const NodeOrder& order, const ClusterPoints& points, const RayTracer& tracer)
-    : solution_(solution), cluster_points_(points), tracer_(tracer), surroundings_(solution, order, tracer) {}
+    : solution_(solution), cluster_points_(points), tracer_(tracer), surroundings_(solution, order, tracer), group_(solution, points) {}
 
 // Adds the union of the sites' senders to the tasks.
 void Shader::plan(std::span<const WeightedSite> sites) {
@@ -56,15 +56,8 @@ void Shader::work_out_form_factors(const PlacedFragment& fragment, Point& point)
         if (!task.form_factor) {
             continue;
         }
-        const Node& node = hierarchy_of(solution_)[task.sender];
-        if (is_cluster(node)) {
-            for (const FacePoint& face : cluster_points_.of(task.sender)) {
-                task.unoccluded += irradiance_from(face, 1, face.position - point.x, fragment.at.shading_normal,
-                                                   0.5F * node.area / kClusterPoints);
-            }
-        } else {
-            task.unoccluded = unoccluded_irradiance(solution_, task.sender, point.x, fragment.at.shading_normal);
-        }
+        task.unoccluded =
+            unoccluded_irradiance(solution_, cluster_points_, task.sender, point.x, fragment.at.shading_normal);
         ++point.taken.form_factors;
     }
 }

@@ -9,7 +9,7 @@
 
 #include "film/fragments.h"
 #include "gather/gather_counts.h"
-#include "gather/sender_points.h"
+#include "gather/sender_group.h"
 #include "gather/site.h"
 #include "gather/site_places.h"
 #include "gather/surroundings.h"
@@ -109,10 +109,11 @@ class Shader {
     std::vector<Ray> rays_;              // first those to the sky
     std::vector<RayOwner> owners_;       // per ray
     std::size_t sky_rays_ = 0;
-    std::vector<Member> group_;
-    std::vector<SenderSampler> samplers_;  // of the group, unless the sender is a cluster
-    std::vector<std::uint32_t> next_;      // in lists that are merged
-    std::vector<std::uint32_t> heads_;     // keys that they have there
+    std::vector<Member> members_;
+    SenderGroup group_;                 // the members as receivers
+    GroupPoint seen_;                   // what they see
+    std::vector<std::uint32_t> next_;   // in lists that are merged
+    std::vector<std::uint32_t> heads_;  // keys that they have there
     std::vector<std::uint32_t> order_;
     std::vector<std::uint8_t> blocked_;
     GatherCounts counts_;

@@ -2,16 +2,14 @@
 #include <algorithm>
 
 #include "gather/merge_lists.h"
-#include "gather/sender_light.h"
 #include "gather/shade.h"
 
 namespace gg {
 
 namespace {
 
-constexpr float kAlmost = 0.9999F;    // of the way to a sender
-constexpr float kMostSamples = 1024;  // of an element or a lamp
-constexpr float kDoubt = 1e-4F;       // of a ray to a point that faces its receiver
+constexpr float kAlmost = 0.9999F;  // of the way to a sender
+constexpr float kDoubt = 1e-4F;     // of a ray to a point that faces its receiver
 
 }  // namespace
 
@@ -76,17 +74,19 @@ void Shader::add_sender_rays(std::span<const PlacedFragment> fragments) {
         move_to(p, points_[p].first_task);
     }
     merge(heads_, [&](NodeId sender) {
-        group_.clear();
+        members_.clear();
         for (std::uint32_t p = 0; p < points_.size(); ++p) {
             if (heads_[p] == sender) {
                 const std::uint32_t task = next_[p];
                 move_to(p, task + 1);
                 if (tasks_[task].visibility) {
-                    group_.push_back({p, task});
+                    members_.push_back({p, task});
                 }
             }
         }
-        add_rays(fragments, sender);
+        if (!members_.empty()) {
+            add_rays(fragments, sender);
+        }
     });
 }
 
@@ -95,15 +95,12 @@ void Shader::add_sender_rays(std::span<const PlacedFragment> fragments) {
 // Where all of the prefix turns away from a point that sees other parts of the sender, what the sites know counts
 // instead.
 void Shader::add_rays(std::span<const PlacedFragment> fragments, NodeId sender) {
-    const Node& node = hierarchy_of(solution_)[sender];
-    const bool cluster = is_cluster(node);
-    const auto targets = cluster ? cluster_points_.of(sender) : std::span<const FacePoint>();
+    group_.begin(sender);
     std::uint32_t most = 0;
-    samplers_.clear();
-    for (Member& member : group_) {
-        const Fragment& at = fragments[member.point].at;
-        const float samples = std::clamp(tasks_[member.task].samples * points_[member.point].share_of_samples, 1.0F,
-                                         cluster ? static_cast<float>(kClusterPoints) : kMostSamples);
+    for (Member& member : members_) {
+        Task& task = tasks_[member.task];
+        const float samples = std::clamp(task.samples * points_[member.point].share_of_samples, 1.0F,
+                                         static_cast<float>(group_.most_points()));
         member.whole = static_cast<std::uint32_t>(samples);
         const float fraction = samples - static_cast<float>(member.whole);
         member.of_all =
@@ -111,44 +108,20 @@ void Shader::add_rays(std::span<const PlacedFragment> fragments, NodeId sender) 
         member.of_last = fraction / static_cast<float>(member.whole + 1);
         most = std::max(most, member.count());
         const Vec3 x = points_[member.point].x;
-        float facing = 0;
-        if (!cluster) {
-            if (samplers_.empty()) {
-                samplers_.emplace_back(solution_, sender, x, at.shading_normal);
-            } else {
-                samplers_.emplace_back(samplers_.front(), x, at.shading_normal);
-            }
-            facing = samplers_.back().facing_weight();
-        } else if (!targets.empty()) {
-            facing = luminance(targets.front().power) / (length_squared(node.center - x) + node.radius * node.radius);
-        }
-        Task& task = tasks_[member.task];
-        task.sent = kDoubt * facing;
+        group_.add(x, fragments[member.point].at.shading_normal);
+        task.sent = kDoubt * group_.facing_weight(x);
         task.seen = task.expected * task.sent;
     }
-    const auto add = [&](const Member& member, std::uint32_t i, const SenderPoint& to) {
-        const float weight = to.weight * (i < member.whole ? member.of_all : member.of_last);
-        if (weight > 0 && dot(to.direction, fragments[member.point].at.normal) > 0) {
-            add_ray({member.point, member.task, weight}, to.direction, to.infinite ? kInfinity : kAlmost);
-        }
-    };
-    if (cluster) {
-        for (std::uint32_t i = 0; i < most && !targets.empty(); ++i) {
-            for (const Member& member : group_) {
-                if (i < member.count()) {
-                    const Vec3 to = targets[i].position - points_[member.point].x;
-                    const Rgb light = irradiance_from(targets[i], 1, to, fragments[member.point].at.shading_normal,
-                                                      0.5F * node.area / kClusterPoints);
-                    add(member, i, {to, false, luminance(light)});
-                }
-            }
-        }
-    } else if (most > 0) {
-        for (const std::uint32_t i : samplers_.front().in_blocks(most, order_)) {
-            const SenderPlace place = samplers_.front().place(i);
-            for (std::size_t k = 0; k < group_.size(); ++k) {
-                if (i < group_[k].count()) {
-                    add(group_[k], i, samplers_[k].point(place));
+    const float far = group_.infinite() ? kInfinity : kAlmost;
+    for (const std::uint32_t i : group_.in_blocks(most, order_)) {
+        group_.see(i, seen_);
+        for (std::size_t k = 0; k < members_.size(); ++k) {
+            const Member& member = members_[k];
+            if (i < member.count() && seen_.weight[k] > 0) {
+                const Vec3 direction = seen_.direction(k);
+                const float weight = seen_.weight[k] * (i < member.whole ? member.of_all : member.of_last);
+                if (dot(direction, fragments[member.point].at.normal) > 0) {
+                    add_ray({member.point, member.task, weight}, direction, far);
                 }
             }
         }

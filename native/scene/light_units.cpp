@@ -96,19 +96,4 @@ std::optional<Lamp> make_lamp(const LightDescription& light, Messages& messages)
     return lamp;
 }
 
-float spot_factor(const Lamp& lamp, float cos_angle) {
-    if (!lamp.is_spot) {
-        return 1;
-    }
-    const float inside = cos_angle - lamp.spot_cos;
-    if (inside <= 0 || cos_angle <= 0) {
-        return 0;
-    }
-    if (inside >= lamp.spot_smooth) {
-        return cos_angle;
-    }
-    const float t = inside / lamp.spot_smooth;
-    return cos_angle * t * t * (3 - 2 * t);
-}
-
 }  // namespace gg

@@ -12,6 +12,7 @@
 
 #include <optional>
 
+#include "core/wide.h"
 #include "scene/description.h"
 #include "scene/scene.h"
 
@@ -27,6 +28,15 @@ inline constexpr float kSmallestLampRadius = 1e-4F;
 
 // Share of a spot's radiance or intensity, 0..1, that leaves at an angle with cosine `cos_angle` to its direction; 1
 // for other lamps. cos_angle * smoothstep((cos_angle - spot_cos) / spot_smooth), 0 outside of the cone.
-[[nodiscard]] float spot_factor(const Lamp& lamp, float cos_angle);
+// T: float, or Wide for several angles.
+template <typename T>
+[[nodiscard]] T spot_factor(const Lamp& lamp, const T& cos_angle) {
+    if (!lamp.is_spot) {
+        return T(1);
+    }
+    const T inside = cos_angle - lamp.spot_cos;
+    const T t = min(T(inside / max(lamp.spot_smooth, 1e-30F)), T(1));
+    return select(inside > T(0) && cos_angle > T(0), T(cos_angle * t * t * (T(3) - T(2) * t)), T(0));
+}
 
 }  // namespace gg

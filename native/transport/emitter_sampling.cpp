@@ -5,74 +5,14 @@
 #include "core/random.h"
 #include "scene/light_units.h"
 #include "transport/form_factor.h"
-#include "transport/spherical_rectangle.h"
 
 namespace gg {
 namespace {
 
-// Frame around d that turns continuously with d but for d = (0, 0, -1) [Frisvad 2012], with 1 + z taken from x and y
-// where it would lose its digits. core's Frame flips where z changes sign, which would draw a line through penumbrae.
-Vec3 continuous_to_world(Vec3 d, Vec3 local) {
-    const float planar = d.x * d.x + d.y * d.y;
-    const float one_plus_z = d.z < 0 ? planar / (1 - d.z) : 1 + d.z;
-    if (!(one_plus_z > 1e-12F)) {
-        return {local.x, -local.y, -local.z};
-    }
-    const float a = 1 / one_plus_z;
-    const Vec3 tangent{1 - d.x * d.x * a, -d.x * d.y * a, -d.x};
-    const Vec3 bitangent{-d.x * d.y * a, 1 - d.y * d.y * a, -d.y};
-    return local.x * tangent + local.y * bitangent + local.z * d;
-}
-
-// Uniform in solid angle over the cone around unit `axis` whose half angle theta has 1 - cos theta = `depth`.
-Vec3 sample_cone(Vec3 axis, float depth, float u, float v) {
-    const Vec2 disk = square_to_disk(u, v);
-    const float drop = (disk.x * disk.x + disk.y * disk.y) * depth;  // 1 - cosine
-    const float stretch = std::sqrt(depth * (2 - drop));
-    return continuous_to_world(axis, {disk.x * stretch, disk.y * stretch, 1 - drop});
-}
-
-// A sphere, or the disk that faces x in its place, as seen from x.
-struct SphereView {
-    Vec3 axis{0.0F, 0.0F, 1.0F};  // unit, towards the centre
-    float distance = 0;           // to the centre, of a sphere at least the radius
-    float sine_squared = 0;       // of its angular radius
-    float depth = 0;              // 1 - cosine of its angular radius
-};
-
-SphereView view_sphere(const Lamp& lamp, Vec3 x) {
-    SphereView view;
-    const Vec3 to_center = lamp.position - x;
-    const float distance = length(to_center);
-    if (distance > 0) {
-        view.axis = to_center / distance;
-    }
-    const float square = lamp.radius * lamp.radius;
-    view.distance = lamp.faces_receivers ? distance : std::max(distance, lamp.radius);
-    view.sine_squared = square / (view.distance * view.distance + (lamp.faces_receivers ? square : 0.0F));
-    view.depth = view.sine_squared / (1 + std::sqrt(1 - view.sine_squared));
-    return view;
-}
-
-// Along a direction with that cosine to the axis.
-float distance_to_sphere(const Lamp& lamp, const SphereView& view, float cosine) {
-    const float sine_squared = std::max(0.0F, 1 - cosine * cosine);
-    // Near intersection: d cos t - sqrt(r^2 - d^2 sin^2 t), by its conjugate.
-    const float reach = view.distance * cosine;
-    const float half_chord =
-        std::sqrt(std::max(0.0F, lamp.radius * lamp.radius - view.distance * view.distance * sine_squared));
-    const float gap = (view.distance - lamp.radius) * (view.distance + lamp.radius);
-    return gap > 0 ? gap / (reach + half_chord) : 0.0F;
-}
-
-LampSample sample_sphere(const Lamp& lamp, Vec3 x, float u, float v) {
-    const SphereView view = view_sphere(lamp, x);
+LampSample sample_sphere(const Lamp& lamp, const SphereView& view, Vec3 x, float u, float v) {
     LampSample sample;
-    sample.direction = sample_cone(view.axis, view.depth, u, v);
-    const float cosine = dot(sample.direction, view.axis);
-    sample.distance = lamp.faces_receivers
-                          ? std::min(view.distance / std::max(cosine, 1e-6F), view.distance + lamp.radius)
-                          : distance_to_sphere(lamp, view, cosine);
+    sample.direction = sample_cone(view.axis, view.depth, square_to_disk(u, v));
+    sample.distance = view.distance_along(lamp, dot(sample.direction, view.axis));
     sample.point = x + sample.distance * sample.direction;
     sample.normal_irradiance =
         lamp.radiance * (2 * kPi * view.depth * spot_factor(lamp, -dot(lamp.direction, sample.direction)));
@@ -90,14 +30,8 @@ bool goes_by_solid_angle(const Lamp& lamp, Vec3 x, float far) {
 }
 
 LampSample sample_flat(const Lamp& lamp, Vec3 x, float u, float v) {
-    Vec2 local{2 * u - 1, 2 * v - 1};
-    float area = 4 * length(cross(lamp.half_x, lamp.half_y));
-    if (lamp.shape == LampShape::kEllipse) {
-        local = square_to_disk(u, v);
-        area *= kPi / 4;
-    }
     LampSample sample;
-    sample.point = lamp.position + local.x * lamp.half_x + local.y * lamp.half_y;
+    sample.point = flat_point(lamp, u, v);
     const Vec3 to_sample = sample.point - x;
     const float squared = length_squared(to_sample);
     if (!(squared > 0)) {
@@ -106,7 +40,7 @@ LampSample sample_flat(const Lamp& lamp, Vec3 x, float u, float v) {
     sample.distance = std::sqrt(squared);
     sample.direction = to_sample / sample.distance;
     const float cosine = std::max(0.0F, -dot(sample.direction, lamp.direction));
-    sample.normal_irradiance = lamp.radiance * (area * cosine / squared);
+    sample.normal_irradiance = lamp.radiance * (flat_area(lamp) * cosine / squared);
     return sample;
 }
 
@@ -127,7 +61,7 @@ LampSample sample_point(const Lamp& lamp, Vec3 x) {
 LampSample sample_distant(const Lamp& lamp, Vec3 x, float u, float v) {
     LampSample sample;
     const float depth = 1 - lamp.cos_half_angle;
-    sample.direction = sample_cone(-lamp.direction, depth, u, v);
+    sample.direction = sample_cone(-lamp.direction, depth, square_to_disk(u, v));
     sample.point = x + sample.direction;
     sample.distance = kInfinity;
     // The mean cosine of the cone to its axis is 1 - depth / 2.
@@ -177,6 +111,16 @@ IrradianceVector flat_irradiance(const Lamp& lamp, Vec3 x) {
 
 }  // namespace
 
+Vec3 flat_point(const Lamp& lamp, float u, float v) {
+    const Vec2 local =
+        lamp.shape == LampShape::kEllipse ? square_to_disk(u, v) : Vec2(2 * u - 1, 2 * v - 1);
+    return lamp.position + local.x * lamp.half_x + local.y * lamp.half_y;
+}
+
+float flat_area(const Lamp& lamp) {
+    return (lamp.shape == LampShape::kEllipse ? kPi : 4.0F) * length(cross(lamp.half_x, lamp.half_y));
+}
+
 Rgb lamp_irradiance(const Lamp& lamp, Vec3 x, Vec3 n) {
     if (lamp.shape == LampShape::kSphere) {
         const SphereView view = view_sphere(lamp, x);
@@ -201,6 +145,8 @@ LampSample sample_lamp(const Lamp& lamp, Vec3 x, float u, float v, float far) {
 LampSampler::LampSampler(const Lamp& lamp, Vec3 x, float far) : lamp_(lamp), x_(x) {
     if (goes_by_solid_angle(lamp, x, far)) {
         rectangle_.emplace(lamp.position, lamp.half_x, lamp.half_y, x);
+    } else if (lamp.shape == LampShape::kSphere) {
+        sphere_ = view_sphere(lamp, x);
     }
 }
 
@@ -244,7 +190,7 @@ LampSample LampSampler::sample(float u, float v) const {
         case LampShape::kPoint:
             return sample_point(lamp_, x_);
         case LampShape::kSphere:
-            return sample_sphere(lamp_, x_, u, v);
+            return sample_sphere(lamp_, sphere_, x_, u, v);
         case LampShape::kRectangle:
         case LampShape::kEllipse:
             return sample_flat(lamp_, x_, u, v);

@@ -6,6 +6,7 @@
 #include "core/vec.h"
 #include "scene/scene.h"
 #include "transport/bilinear_warp.h"
+#include "transport/sphere_view.h"
 #include "transport/spherical_rectangle.h"
 
 namespace gg {
@@ -28,6 +29,10 @@ struct LampSample {
 // far: half diagonals from which rectangles are sampled by area, which is faster; at 50 nothing shows.
 [[nodiscard]] LampSample sample_lamp(const Lamp& lamp, Vec3 x, float u, float v, float far = 50);
 
+// Rectangles and ellipses: the point of (u, v), even in area, and the area of all [m2].
+[[nodiscard]] Vec3 flat_point(const Lamp& lamp, float u, float v);
+[[nodiscard]] float flat_area(const Lamp& lamp);
+
 // The same for many samples at one receiver. Keeps a reference to the lamp.
 class LampSampler {
   public:
@@ -38,11 +43,17 @@ class LampSampler {
 
     [[nodiscard]] LampSample sample(float u, float v) const;
 
+    // How the receiver sees the lamp: null where a rectangle goes by area, or without a warp.
+    [[nodiscard]] const SphericalRectangle* rectangle() const { return rectangle_ ? &*rectangle_ : nullptr; }
+    [[nodiscard]] const BilinearWarp* warp() const { return warp_ ? &*warp_ : nullptr; }
+    [[nodiscard]] const SphereView& sphere() const { return sphere_; }  // of spheres
+
   private:
     const Lamp& lamp_;
     Vec3 x_;
     std::optional<SphericalRectangle> rectangle_;
     std::optional<BilinearWarp> warp_;
+    SphereView sphere_;
 };
 
 // Irradiance as a vector: `irradiance` [W/m2] falls on a plane at x that faces `direction` (unit, towards the lamp),

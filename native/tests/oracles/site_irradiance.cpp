@@ -72,7 +72,7 @@ class Evaluation {
         if (!is_cluster(hierarchy_[sender])) {
             return SenderSampler(scene_.solution, sender, x_, n_).point(index);
         }
-        const auto points = scene_.points.of(sender);
+        const ClusterFaces& points = scene_.points.of(sender);
         if (points.empty()) {
             return {};
         }
@@ -87,7 +87,8 @@ class Evaluation {
             return Vec3d(unoccluded_irradiance(scene_.solution, sender, x_, n_));
         }
         Vec3d sum(0.0);
-        for (const FacePoint& point : scene_.points.of(sender)) {
+        for (std::uint32_t i = 0; i < kClusterPoints; ++i) {
+            const FacePoint point = scene_.points.of(sender)[i];
             sum += Vec3d(irradiance_from(point, 1, point.position - x_, n_, disk_of(sender)));
         }
         return sum;
@@ -98,7 +99,7 @@ class Evaluation {
         if (!is_cluster(hierarchy_[sender])) {
             return static_cast<double>(SenderSampler(scene_.solution, sender, x_, n_).facing_weight());
         }
-        const auto points = scene_.points.of(sender);
+        const ClusterFaces& points = scene_.points.of(sender);
         const Node& node = hierarchy_[sender];
         const float square = length_squared(node.center - x_) + node.radius * node.radius;
         return points.empty() ? 0 : static_cast<double>(luminance(points[0].power) / square);

@@ -117,8 +117,8 @@ TEST(LightUnits, spot_factor_is_one_on_the_axis_zero_behind_and_one_for_other_la
     LightDescription light = make_light(LightType::kSpot);
     light.spot_angle = kPi;
     light.spot_blend = 0.5F;
-    EXPECT_FLOAT_EQ(spot_factor(convert(light), 1), 1);
-    EXPECT_EQ(spot_factor(convert(light), 0), 0);
+    EXPECT_FLOAT_EQ(spot_factor(convert(light), 1.0F), 1);
+    EXPECT_EQ(spot_factor(convert(light), 0.0F), 0);
     EXPECT_EQ(spot_factor(convert(light), -0.5F), 0);
     light.spot_angle = 0;
     EXPECT_EQ(spot_factor(convert(light), 0.9F), 0);
