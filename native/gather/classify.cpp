@@ -25,6 +25,11 @@ constexpr float kSettled = 0.1F;  // share of the tolerance from which a sender 
 constexpr float kLeastSamples = 1;
 constexpr float kFullReach = 0.7F;  // share of the reach within which everything is near
 
+// Whether all of a box lies on the back of a plane.
+bool is_behind(const Box& box, Vec3 on_plane, Vec3 normal) {
+    return dot(box.center() - on_plane, normal) + 0.5F * dot(box.extent(), glm::abs(normal)) <= 0;
+}
+
 }  // namespace
 
 Classifier::Classifier(const Solution& solution, const NodeOrder& order, const ClusterPoints& points,
@@ -80,6 +85,9 @@ float Classifier::bound(NodeId sender, const Box& box) const {
     const Node& node = hierarchy_of(solution_)[sender];
     if (node.kind == NodeKind::kLamp) {
         return kInfinity;
+    }
+    if (node.kind == NodeKind::kElement && is_behind(box, node.corner[0], node.normal)) {
+        return 0;
     }
     const float distance = std::max(0.0F, length(node.center - box.center()) - node.radius - 0.5F * box.diameter());
     const float factor = node.area / std::max(kPi * distance * distance, 1e-20F);
