@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kAlmost = 0.9999F;  // of the way to a sender
 constexpr std::uint32_t kFewPairs = 2, kLeastPairs = 4, kMostPairs = 64;
-constexpr std::size_t kMeasured = 16;  // receivers that a sender is measured at, of those that it may light
+constexpr std::size_t kMeasured = 16;  // receivers that a sender is measured at, at least
 constexpr std::size_t kGlanced = 3;    // and at so many first
 constexpr float kPromising = 0.3F;     // share of the tolerance from which a sender is measured in full
 constexpr float kGlaring = 4;          // times the irradiance of the place, of a sender's radiosity
@@ -40,45 +40,9 @@ Classifier::Classifier(const Solution& solution, const NodeOrder& order, const C
       tracer_(tracer),
       settings_(settings),
       cutter_(solution),
+      meter_(solution, points),
       surroundings_(solution, order, tracer),
       sky_(tracer, hierarchy_of(solution).scene().world) {}
-
-// Over at most `count` of the receivers that the sender may light: what others have of it is nothing anyway.
-void Classifier::measure(Candidate& candidate, std::span<const Receiver> receivers, std::size_t count) {
-    const Scene& scene = hierarchy_of(solution_).scene();
-    const Node& node = hierarchy_of(solution_)[candidate.cut.sender];
-    std::array<Vec3, kMeasured> vectors;
-    std::size_t found = 0;
-    Rgb sum(0.0F);
-    Vec3 mean(0.0F);
-    for (const Receiver& receiver : receivers) {
-        if (found == count || is_below_horizon(scene, node, receiver.position, receiver.shading_normal)) {
-            continue;
-        }
-        const IrradianceVector v = irradiance_vector(solution_, points_, candidate.cut.sender, receiver.position);
-        const float size = luminance(v.irradiance);
-        if (size > 0) {
-            vectors[found++] = size * v.direction;
-            sum += v.irradiance;
-            mean += size * v.direction;
-            candidate.largest = std::max(candidate.largest, size);
-            candidate.horizon =
-                candidate.horizon || crosses_horizon(scene, node, receiver.position, receiver.shading_normal);
-        }
-    }
-    if (found == 0) {
-        return;
-    }
-    sum /= static_cast<float>(found);
-    mean /= static_cast<float>(found);
-    const float size = length(mean), all = luminance(sum);
-    candidate.irradiance = all > 0 ? size / all * sum : Rgb(0.0F);
-    candidate.direction = size > 0 ? mean / size : Vec3(0, 0, 1);
-    candidate.spread = 0;
-    for (std::size_t j = 0; j < found; ++j) {
-        candidate.spread = std::max(candidate.spread, 2 * length(vectors[j] - mean));
-    }
-}
 
 // Luminance of the irradiance that a sender may bring to any point of a box.
 float Classifier::bound(NodeId sender, const Box& box) const {
@@ -134,7 +98,7 @@ void Classifier::judge(Candidate& candidate, float irradiance, float tolerance) 
     if (!candidate.matters) {
         return;
     }
-    const float brings = luminance(candidate.irradiance);
+    const float brings = luminance(candidate.brings.irradiance);
     const float v = candidate.visibility;
     const bool lamp = hierarchy_of(solution_)[candidate.cut.sender].kind == NodeKind::kLamp;
     if (seen == 0 && !lamp) {
@@ -147,7 +111,7 @@ void Classifier::judge(Candidate& candidate, float irradiance, float tolerance) 
     candidate.visibility_error = std::max(std::sqrt(v * (1 - v)), doubt) * brings;
     candidate.form_factor_error =
         (candidate.resample_visibility ? 1 : v) *
-        std::max({candidate.spread, candidate.spread_bound, candidate.horizon ? brings : 0.0F});
+        std::max({candidate.brings.spread, candidate.spread_bound, candidate.brings.horizon ? brings : 0.0F});
     candidate.resample_form_factor = candidate.form_factor_error > tolerance;
     // Rays in all directions would meet it too seldom.
     if (!lamp && luminance(radiosity_of(solution_, candidate.cut.sender)) > kGlaring * irradiance) {
@@ -192,6 +156,7 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
     const Scene& scene = hierarchy_of(solution_).scene();
     cutter_.build({places_, bounds, irradiance}, cut_);
     surroundings_.look_from(receivers);
+    meter_.look_from(receivers);
     Site site;
     site.reach = {kFullReach * settings_.reach * bounds.diameter(), settings_.reach * bounds.diameter()};
     site.near_cells = surroundings_.near_cells(site.reach.none);
@@ -210,23 +175,23 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
         candidate.bound = bound(sender.sender, bounds);
         if (node.kind != NodeKind::kSky && (node.kind == NodeKind::kLamp || candidate.bound > tolerance)) {
             const bool lamp = node.kind == NodeKind::kLamp;
-            measure(candidate, receivers, lamp ? kMeasured : kGlanced);
-            if (!lamp && candidate.largest > kPromising * tolerance) {
-                measure(candidate, receivers, kMeasured);
+            candidate.brings = meter_.measure(sender.sender, lamp ? kMeasured : kGlanced);
+            if (!lamp && candidate.brings.largest > kPromising * tolerance) {
+                candidate.brings = meter_.measure(sender.sender, kMeasured);
             }
-            if (candidate.largest > (lamp ? 0 : tolerance)) {
-                all += luminance(candidate.irradiance);
+            if (candidate.brings.largest > (lamp ? 0 : tolerance)) {
+                all += luminance(candidate.brings.irradiance);
                 candidates_.push_back(candidate);
             }
         }
     }
     all = std::max(all, irradiance);
     for (Candidate& candidate : candidates_) {
-        candidate.matters = candidate.largest > kSettled * tolerance;
+        candidate.matters = candidate.brings.largest > kSettled * tolerance;
         if (is_close(scene, hierarchy_of(solution_)[candidate.cut.sender], bounds)) {
-            candidate.spread_bound = std::min(candidate.bound, 4 * candidate.largest);
+            candidate.spread_bound = std::min(candidate.bound, 4 * candidate.brings.largest);
         }
-        const float wanted = samples * luminance(candidate.irradiance) / all;
+        const float wanted = samples * luminance(candidate.brings.irradiance) / all;
         add_rays(
             candidate, receivers,
             candidate.matters ? std::clamp(static_cast<std::uint32_t>(wanted), kLeastPairs, kMostPairs) : kFewPairs);
@@ -244,12 +209,12 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
             counts_.both += candidate.resample_form_factor && candidate.resample_visibility;
             counts_.only_visibility += !candidate.resample_form_factor;
             counts_.only_form_factor += !candidate.resample_visibility;
-            const float importance = luminance(candidate.irradiance) / all;  // [eq. 1]
+            const float importance = luminance(candidate.brings.irradiance) / all;  // [eq. 1]
             site.senders.push_back({candidate.cut.sender, candidate.resample_form_factor, candidate.resample_visibility,
                                     std::max(kLeastSamples, samples * importance), candidate.visibility,
-                                    candidate.irradiance, candidate.direction});
+                                    candidate.brings.irradiance, candidate.brings.direction});
         } else if (lamp) {
-            site.beams.push_back({candidate.direction, candidate.visibility * candidate.irradiance});
+            site.beams.push_back({candidate.brings.direction, candidate.visibility * candidate.brings.irradiance});
         }
         if (!lamp && resampled) {
             site.apart.push_back(order_.range(candidate.cut.sender));

@@ -8,6 +8,7 @@
 #include "gather/node_order.h"
 #include "gather/receiver.h"
 #include "gather/sender_cut.h"
+#include "gather/sender_measure.h"
 #include "gather/sender_points.h"
 #include "gather/site.h"
 #include "gather/sky_leaves.h"
@@ -37,12 +38,8 @@ class Classifier {
   private:
     struct Candidate {
         CutSender cut;
-        Rgb irradiance{0.0F};  // unoccluded, of a plane that faces the mean direction
-        Vec3 direction{0.0F};
-        float spread = 0;        // of the irradiance vector over the receivers, W/m2
-        float spread_bound = 0;  // the same where receivers are too few to tell
-        bool horizon = false;    // lies in part below the horizon of some receiver
-        float largest = 0;       // W/m2
+        SenderMeasure brings;
+        float spread_bound = 0;  // of the irradiance vector where receivers are too few to tell, W/m2
         float bound = 0;         // W/m2 that it may bring to any point around
         bool matters = false;    // somewhere around
         std::uint32_t first_ray = 0, ray_count = 0;
@@ -51,7 +48,6 @@ class Classifier {
         bool resample_form_factor = false, resample_visibility = false;
     };
 
-    void measure(Candidate& candidate, std::span<const Receiver> receivers, std::size_t count);
     [[nodiscard]] float bound(NodeId sender, const Box& box) const;
     void add_rays(Candidate& candidate, std::span<const Receiver> receivers, std::uint32_t count);
     void judge(Candidate& candidate, float irradiance, float tolerance);
@@ -63,6 +59,7 @@ class Classifier {
     const RayTracer& tracer_;
     ClassifySettings settings_;
     CutBuilder cutter_;
+    SenderMeter meter_;
     Surroundings surroundings_;
     SkyLeaves sky_;
     SenderCut cut_;

@@ -12,7 +12,6 @@ namespace gg {
 namespace {
 
 constexpr float kFar = 5, kNear = 2.5F;  // in radii: an element is even from the first on, linear from the second
-constexpr float kPoint = 6;              // in radii: from there on its vector is that of a point
 constexpr int kLevels = 1;               // of quarters of a linear element
 
 // Of a triangle whose radiosity is linear, by parts in which it is even.
@@ -67,7 +66,7 @@ IrradianceVector irradiance_vector(const Solution& solution, NodeId sender, Vec3
         // From afar a triangle is as good as a point.
         const Vec3 to = node.center - x;
         const float square = length_squared(to);
-        vector = square > kPoint * kPoint * node.radius * node.radius
+        vector = square > kPointDistance * kPointDistance * node.radius * node.radius
                      ? -dot(to, node.normal) * node.area / (kPi * square * square) * to
                      : vector_form_factor(x, std::span<const Vec3>(node.corner));
     }

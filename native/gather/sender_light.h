@@ -16,6 +16,9 @@ namespace gg {
 [[nodiscard]] Rgb unoccluded_irradiance(const Solution& solution, const ClusterPoints& cluster_points, NodeId sender,
                                         Vec3 x, Vec3 n);
 
+// In radii: from there on the vector of an element is that of a point.
+inline constexpr float kPointDistance = 6;
+
 // The same as a vector, for any normal that has all of the sender above its horizon.
 [[nodiscard]] IrradianceVector irradiance_vector(const Solution& solution, NodeId sender, Vec3 x);
 
