@@ -14,7 +14,8 @@ inline constexpr std::size_t kLanes = Wide::size();
 // Beside the ones for Wide, which are found by argument.
 using std::abs, std::clamp, std::copysign, std::cos, std::max, std::min, std::sin, std::sqrt;
 
-[[nodiscard]] inline float select(bool which, float yes, float no) {
+template <typename T>
+[[nodiscard]] inline T select(bool which, T yes, T no) {
     return which ? yes : no;
 }
 [[nodiscard]] inline Wide select(WideMask which, const Wide& yes, Wide no) {
@@ -27,6 +28,8 @@ using std::abs, std::clamp, std::copysign, std::cos, std::max, std::min, std::si
 }
 
 struct WideVec3 {
+    using value_type = Wide;
+
     Wide x = 0, y = 0, z = 0;
 
     WideVec3() = default;
@@ -34,6 +37,7 @@ struct WideVec3 {
     // The same in all lanes.
     explicit WideVec3(Vec3 v) : x(v.x), y(v.y), z(v.z) {}
 
+    [[nodiscard]] Vec3 lane(std::size_t index) const { return {x[index], y[index], z[index]}; }
     void set(std::size_t lane, Vec3 v) {
         x[lane] = v.x;
         y[lane] = v.y;
@@ -52,6 +56,9 @@ struct WideVec3 {
 }
 [[nodiscard]] inline Wide dot(const WideVec3& a, const WideVec3& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+[[nodiscard]] inline WideVec3 cross(const WideVec3& a, const WideVec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 [[nodiscard]] inline Wide luminance(const WideVec3& c) {

@@ -5,6 +5,7 @@
 #include "core/random.h"
 #include "gather/sender_light.h"
 #include "scene/light_units.h"
+#include "transport/form_factor.h"
 
 namespace gg {
 
@@ -136,6 +137,39 @@ SenderGroup::Seen SenderGroup::see_distant(std::uint32_t index, const Block& blo
     const SenderPlace place = sampler_->place(index);
     const WideVec3 direction(place.target);
     return {direction, place.light * max(Wide(0), dot(block.n, direction))};
+}
+
+void SenderGroup::light(std::vector<Rgb>& out) const {
+    const Node& node = hierarchy_of(solution_)[sender_];
+    out.resize(count_);
+    const auto one_by_one = [&](std::size_t k) {
+        const Block& block = blocks_[k / kLanes];
+        const std::size_t lane = k % kLanes;
+        out[k] = unoccluded_irradiance(solution_, clusters_, sender_, block.x.lane(lane), block.n.lane(lane));
+    };
+    if (node.kind != NodeKind::kElement) {
+        for (std::size_t k = 0; k < count_; ++k) {
+            one_by_one(k);
+        }
+        return;
+    }
+    const Rgb radiosity = radiosity_of(solution_, sender_);
+    const float uneven = node.child_count > 0 ? 0.0F : kEvenDistance * node.radius;  // m, up to there
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        const WideVec3& x = blocks_[b].x;
+        const WideVec3 to = WideVec3(node.center) - x;
+        const WideMask front = dot(x - WideVec3(node.corner[0]), WideVec3(node.normal)) > 0;
+        WideMask hard;
+        const Wide factor = select(front, points_to_triangle(x, blocks_[b].n, node.corner, hard), 0);
+        hard = front && (hard || dot(to, to) < uneven * uneven);
+        for (std::size_t k = b * kLanes; k < std::min(count_, (b + 1) * kLanes); ++k) {
+            if (hard[k % kLanes]) {
+                one_by_one(k);
+            } else {
+                out[k] = factor[k % kLanes] * radiosity;
+            }
+        }
+    }
 }
 
 void SenderGroup::see(std::uint32_t index, GroupPoint& out) const {

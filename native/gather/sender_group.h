@@ -35,7 +35,8 @@ class SenderGroup {
     [[nodiscard]] bool infinite() const;  // as of SenderPoint
     // About the weight of a point that the receiver at x faces, and that faces it; 0 of a dark cluster.
     [[nodiscard]] float facing_weight(Vec3 x) const;
-    // Of each receiver.
+    // Of each receiver: unoccluded_irradiance().
+    void light(std::vector<Rgb>& out) const;
     void see(std::uint32_t index, GroupPoint& out) const;
     // The first `count` indices, those of neighbouring points next to one another.
     std::span<const std::uint32_t> in_blocks(std::uint32_t count, std::vector<std::uint32_t>& order) const;

@@ -11,8 +11,8 @@ namespace gg {
 
 namespace {
 
-constexpr float kFar = 5, kNear = 2.5F;  // in radii: an element is even from the first on, linear from the second
-constexpr int kLevels = 1;               // of quarters of a linear element
+constexpr float kLinearDistance = 2.5F;  // in radii: up to there an element is linear
+constexpr int kLevels = 1;  // of quarters of a linear element
 
 // Of a triangle whose radiosity is linear, by parts in which it is even.
 Rgb from_part(Vec3 x, Vec3 n, const std::array<Vec3, 3>& corners, const std::array<Rgb, 3>& radiosity, int levels) {
@@ -43,11 +43,11 @@ Rgb unoccluded_irradiance(const Solution& solution, NodeId sender, Vec3 x, Vec3 
         return Rgb(0.0F);
     }
     const float distance = length(node.center - x) / node.radius;
-    if (node.child_count > 0 || distance >= kFar) {
+    if (node.child_count > 0 || distance >= kEvenDistance) {
         return point_to_triangle(x, n, node.corner[0], node.corner[1], node.corner[2]) * radiosity_of(solution, sender);
     }
     // Close by the course of its light over the element counts, the more the closer.
-    const float closeness = std::clamp((kFar - distance) / (kFar - kNear), 0.0F, 1.0F);
+    const float closeness = std::clamp((kEvenDistance - distance) / (kEvenDistance - kLinearDistance), 0.0F, 1.0F);
     auto corners = corner_radiosity(solution, sender);
     const Rgb mean = radiosity_of(solution, sender);
     for (Rgb& corner : corners) {

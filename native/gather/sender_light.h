@@ -16,6 +16,9 @@ namespace gg {
 [[nodiscard]] Rgb unoccluded_irradiance(const Solution& solution, const ClusterPoints& cluster_points, NodeId sender,
                                         Vec3 x, Vec3 n);
 
+// In radii: from there on an element is even.
+inline constexpr float kEvenDistance = 5;
+
 // In radii: from there on the vector of an element is that of a point.
 inline constexpr float kPointDistance = 6;
 

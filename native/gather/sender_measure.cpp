@@ -71,7 +71,7 @@ bool SenderMeter::add_from_afar(std::size_t count) {
         const WideMask crosses = abs(height) < node.radius;
         for (std::size_t lane = 0; lane < std::min(kLanes, receivers_.size() - b * kLanes); ++lane) {
             if (factor[lane] > 0) {
-                add(factor[lane] * Vec3(to.x[lane], to.y[lane], to.z[lane]), crosses[lane]);
+                add(factor[lane] * to.lane(lane), crosses[lane]);
             }
         }
     }

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "gather/merge_lists.h"
-#include "gather/sender_light.h"
 #include "trace/surface_point.h"
 
 namespace gg {
@@ -16,7 +15,7 @@ constexpr float kShareOfSamples = 0.75F;  // power of a fragment's share by whic
 }  // namespace
 
 Shader::Shader(const Solution& solution, const NodeOrder& order, const ClusterPoints& points, const RayTracer& tracer)
-    : solution_(solution), cluster_points_(points), tracer_(tracer), surroundings_(solution, order, tracer), group_(solution, points) {}
+    : solution_(solution), tracer_(tracer), surroundings_(solution, order, tracer), group_(solution, points) {}
 
 // Adds the union of the sites' senders to the tasks.
 void Shader::plan(std::span<const WeightedSite> sites) {
@@ -49,17 +48,6 @@ void Shader::plan(std::span<const WeightedSite> sites) {
         task.expected /= std::max(resampled, 1e-30F);
         tasks_.push_back(task);
     });
-}
-
-void Shader::work_out_form_factors(const PlacedFragment& fragment, Point& point) {
-    for (Task& task : std::span(tasks_).subspan(point.first_task, point.end_task - point.first_task)) {
-        if (!task.form_factor) {
-            continue;
-        }
-        task.unoccluded =
-            unoccluded_irradiance(solution_, cluster_points_, task.sender, point.x, fragment.at.shading_normal);
-        ++point.taken.form_factors;
-    }
 }
 
 void Shader::trace() {
@@ -148,12 +136,11 @@ void Shader::shade(std::span<const PlacedFragment> fragments, std::span<PointLig
         point.end_task = static_cast<std::uint32_t>(tasks_.size());
         point.taken.on_surface = fragment.on_surface;
         point.taken.senders = point.end_task - point.first_task;
-        work_out_form_factors(fragment, point);
         points_.push_back(point);
         cosines_.emplace_back(fragment.at.shading_normal);
     }
     add_sky_rays(fragments);
-    add_sender_rays(fragments);
+    look_at_senders(fragments);
     trace();
     for (std::size_t p = 0; p < fragments.size(); ++p) {
         points_[p].light.all += light_of_models(fragments[p], points_[p], cosines_[p]);

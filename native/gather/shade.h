@@ -78,10 +78,10 @@ class Shader {
         float weight = 0;
     };
 
-    // A point that sends rays to the sender of the moment.
+    // A point that looks at the sender of the moment.
     struct Member {
         std::uint32_t point = 0, task = 0;
-        std::uint32_t whole = 0;        // samples
+        std::uint32_t whole = 0;        // samples of its visibility
         float of_all = 0, of_last = 0;  // share of a sample, and of one after the last whole one
 
         [[nodiscard]] std::uint32_t count() const { return whole + (of_last > 0 ? 1 : 0); }
@@ -90,16 +90,15 @@ class Shader {
     void plan(std::span<const WeightedSite> sites);
     void add_ray(RayOwner owner, Vec3 direction, float far);
     void add_sky_rays(std::span<const PlacedFragment> fragments);
-    void add_sender_rays(std::span<const PlacedFragment> fragments);
-    void add_rays(std::span<const PlacedFragment> fragments, NodeId sender);
-    void work_out_form_factors(const PlacedFragment& fragment, Point& point);
+    void look_at_senders(std::span<const PlacedFragment> fragments);
+    void work_out_form_factors();
+    void add_rays(std::span<const PlacedFragment> fragments);
     void trace();
     [[nodiscard]] Rgb light_of_models(const PlacedFragment& fragment, const Point& point,
                                       const TableCosines& cosines) const;
     void add_near_light(std::span<const PlacedFragment> fragments);
 
     const Solution& solution_;
-    const ClusterPoints& cluster_points_;
     const RayTracer& tracer_;
     Surroundings surroundings_;
     std::vector<Point> points_;
@@ -112,6 +111,7 @@ class Shader {
     std::vector<Member> members_;
     SenderGroup group_;                 // the members as receivers
     GroupPoint seen_;                   // what they see
+    std::vector<Rgb> unoccluded_;       // irradiance, per member
     std::vector<std::uint32_t> next_;   // in lists that are merged
     std::vector<std::uint32_t> heads_;  // keys that they have there
     std::vector<std::uint32_t> order_;

@@ -63,7 +63,8 @@ void Shader::add_sky_rays(std::span<const PlacedFragment> fragments) {
     sky_rays_ = rays_.size();
 }
 
-void Shader::add_sender_rays(std::span<const PlacedFragment> fragments) {
+// Form factors and rays of what is to be looked at anew.
+void Shader::look_at_senders(std::span<const PlacedFragment> fragments) {
     next_.resize(points_.size());
     heads_.resize(points_.size());
     const auto move_to = [&](std::size_t p, std::uint32_t task) {
@@ -74,31 +75,46 @@ void Shader::add_sender_rays(std::span<const PlacedFragment> fragments) {
         move_to(p, points_[p].first_task);
     }
     merge(heads_, [&](NodeId sender) {
+        group_.begin(sender);
         members_.clear();
         for (std::uint32_t p = 0; p < points_.size(); ++p) {
             if (heads_[p] == sender) {
-                const std::uint32_t task = next_[p];
-                move_to(p, task + 1);
-                if (tasks_[task].visibility) {
-                    members_.push_back({p, task});
-                }
+                members_.push_back({p, next_[p]});
+                group_.add(points_[p].x, fragments[p].at.shading_normal);
+                move_to(p, next_[p] + 1);
             }
         }
-        if (!members_.empty()) {
-            add_rays(fragments, sender);
-        }
+        work_out_form_factors();
+        add_rays(fragments);
     });
 }
 
-// Rays of a group's points to a prefix of a sender's points: all that go to the same one together. The last one counts
+void Shader::work_out_form_factors() {
+    if (std::none_of(members_.begin(), members_.end(),
+                     [&](const Member& member) { return tasks_[member.task].form_factor; })) {
+        return;
+    }
+    group_.light(unoccluded_);
+    for (std::size_t k = 0; k < members_.size(); ++k) {
+        Task& task = tasks_[members_[k].task];
+        if (task.form_factor) {
+            task.unoccluded = unoccluded_[k];
+            ++points_[members_[k].point].taken.form_factors;
+        }
+    }
+}
+
+// Rays of the members to a prefix of the sender's points: all that go to the same one together. The last one counts
 // by the fraction of the sample number, so that a number that changes from point to point changes nothing at once.
 // Where all of the prefix turns away from a point that sees other parts of the sender, what the sites know counts
 // instead.
-void Shader::add_rays(std::span<const PlacedFragment> fragments, NodeId sender) {
-    group_.begin(sender);
+void Shader::add_rays(std::span<const PlacedFragment> fragments) {
     std::uint32_t most = 0;
     for (Member& member : members_) {
         Task& task = tasks_[member.task];
+        if (!task.visibility) {
+            continue;
+        }
         const float samples = std::clamp(task.samples * points_[member.point].share_of_samples, 1.0F,
                                          static_cast<float>(group_.most_points()));
         member.whole = static_cast<std::uint32_t>(samples);
@@ -107,9 +123,7 @@ void Shader::add_rays(std::span<const PlacedFragment> fragments, NodeId sender) 
             (1 - fraction) / static_cast<float>(member.whole) + fraction / static_cast<float>(member.whole + 1);
         member.of_last = fraction / static_cast<float>(member.whole + 1);
         most = std::max(most, member.count());
-        const Vec3 x = points_[member.point].x;
-        group_.add(x, fragments[member.point].at.shading_normal);
-        task.sent = kDoubt * group_.facing_weight(x);
+        task.sent = kDoubt * group_.facing_weight(points_[member.point].x);
         task.seen = task.expected * task.sent;
     }
     const float far = group_.infinite() ? kInfinity : kAlmost;

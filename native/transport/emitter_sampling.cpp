@@ -156,7 +156,7 @@ LampSampler::LampSampler(const Lamp& lamp, Vec3 x, Vec3 n) : LampSampler(lamp, x
         std::array<float, 4> cosines{};
         float largest = 0;
         for (int k = 0; k < 4; ++k) {
-            const Vec3 to = rectangle_->point(static_cast<float>(k % 2), static_cast<float>(k / 2));
+            const Vec3 to = rectangle_->corner(k % 2 != 0, k / 2 != 0);
             cosines[k] = dot(n, to) / length(to);
             largest = std::max(largest, cosines[k]);
         }

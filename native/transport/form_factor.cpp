@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "transport/fast_angle.h"
+
 namespace gg {
 namespace {
 
@@ -27,32 +29,35 @@ Scalar<V> largest_coordinate(V v) {
     return std::max(std::abs(v.x), std::max(std::abs(v.y), std::abs(v.z)));
 }
 
+// What the lanes hold.
+template <typename T>
+using Number = std::conditional_t<std::is_same_v<T, Wide>, float, T>;
+
 // theta Gamma of the edge a-b as seen from the origin; zero when the origin lies on the edge's line.
 template <typename V>
-V edge_term(V a, V b) {
+V edge_term(const V& a, const V& b) {
     using T = Scalar<V>;
-    const V normal = glm::cross(a, b);
-    const T sine_squared = glm::dot(normal, normal);
-    constexpr T tolerance = 4 * std::numeric_limits<T>::epsilon();
-    if (!(sine_squared > tolerance * tolerance * glm::dot(a, a) * glm::dot(b, b))) {
-        return V(0);
-    }
-    const T sine = std::sqrt(sine_squared);
-    return normal * (std::atan2(sine, glm::dot(a, b)) / sine);
+    const V normal = cross(a, b);
+    const T sine_squared = dot(normal, normal);
+    constexpr auto tolerance = 4 * std::numeric_limits<Number<T>>::epsilon();
+    const auto apart = sine_squared > tolerance * tolerance * dot(a, a) * dot(b, b);
+    const T sine = sqrt(select(apart, sine_squared, T(1)));
+    return select(apart, T(fast_angle(sine, dot(a, b)) / sine), T(0)) * normal;
 }
 
 // Integral of |cos_y| m / (pi |m|^3) over a small triangle as seen from the origin, for its dot product with n to be
 // the form factor: edge midpoints, exact for quadratic integrands. Signed by the winding.
 template <typename V>
-V small_triangle(V a, V b, V c) {
+V small_triangle(const V& a, const V& b, const V& c) {
     using T = Scalar<V>;
-    V sum(0);
+    V sum{};
     for (const V& doubled : {V(a + b), V(b + c), V(c + a)}) {
-        const T squared = glm::dot(doubled, doubled);
-        sum += doubled / (squared * squared);
+        const T squared = dot(doubled, doubled);
+        sum = sum + T(T(1) / (squared * squared)) * doubled;
     }
     // Midpoints are half of `doubled`: (1/2) / (1/2)^4 = 8. The area is half of the cross product, the weights 1/3.
-    return sum * (glm::dot(a, glm::cross(b - a, c - a)) * (T(8) / (6 * kPiOf<T>)));
+    constexpr auto factor = static_cast<Number<T>>(8 / (6 * kPiOf<double>));
+    return T(dot(a, cross(V(b - a), V(c - a))) * factor) * sum;
 }
 
 // What is known of a polygon before its integral: where its plane lies and whether it is small.
@@ -227,6 +232,38 @@ typename V::value_type point_to_triangle(V x, V n, V a, V b, V c) {
         sum += glm::dot(n, edge_term(clipped.corners[i], clipped.corners[i + 1 == clipped.count ? 0 : i + 1]));
     }
     return unit_clamp(std::abs(sum) / (2 * kPiOf<T>));
+}
+
+Wide points_to_triangle(const WideVec3& x, const WideVec3& n, const std::array<Vec3, 3>& triangle, WideMask& clipped) {
+    const std::array<WideVec3, 3> sights{WideVec3(triangle[0]) - x, WideVec3(triangle[1]) - x,
+                                         WideVec3(triangle[2]) - x};
+    const std::array<Wide, 3> height{dot(n, sights[0]), dot(n, sights[1]), dot(n, sights[2])};
+    const WideMask above = min(height[0], min(height[1], height[2])) > 0;
+    clipped = max(height[0], max(height[1], height[2])) > 0 && !above;
+    // As in view_polygon().
+    const Vec3 b = triangle[1] - triangle[0], c = triangle[2] - triangle[0];
+    const Vec3 doubled_area = cross(b, c);
+    const Wide side = abs(dot(WideVec3(doubled_area), sights[0]));
+    Wide coordinate = max(abs(x.x), max(abs(x.y), abs(x.z)));
+    for (const Vec3& corner : triangle) {
+        coordinate = max(coordinate, Wide(largest_coordinate(corner)));
+    }
+    const WideMask seen = above && side > kRounding<float> * coordinate * length(doubled_area);
+    if (none_of(seen)) {
+        return 0;
+    }
+    const Wide nearest = min(dot(sights[0], sights[0]), min(dot(sights[1], sights[1]), dot(sights[2], sights[2])));
+    const WideMask small = std::max(dot(b, b), dot(c, c)) < kSmallPolygon<float> * nearest;
+    Wide far = 0, near = 0;
+    if (any_of(seen && small)) {
+        far = abs(dot(n, small_triangle(sights[0], sights[1], sights[2])));
+    }
+    if (any_of(seen && !small)) {
+        near = abs(dot(n, edge_term(sights[0], sights[1])) + dot(n, edge_term(sights[1], sights[2])) +
+                   dot(n, edge_term(sights[2], sights[0]))) /
+               (2 * kPi);
+    }
+    return select(seen, clamp(select(small, far, near), Wide(0), Wide(1)), 0);
 }
 
 template <typename V>

@@ -9,10 +9,11 @@
 // Accuracy against exact arithmetic on the same inputs, float: see kFormFactorAccuracy; double: 1e-12 absolute.
 #pragma once
 
+#include <array>
 #include <span>
 #include <type_traits>
 
-#include "core/vec.h"
+#include "core/wide.h"
 
 namespace gg {
 
@@ -36,6 +37,10 @@ template <typename V>
 // The same for a triangle: the inner loop's version.
 template <typename V>
 [[nodiscard]] typename V::value_type point_to_triangle(V x, V n, V a, V b, V c);
+
+// The same for several points and one triangle. clipped: lanes in which the horizon cuts the triangle; they get 0.
+[[nodiscard]] Wide points_to_triangle(const WideVec3& x, const WideVec3& n, const std::array<Vec3, 3>& triangle,
+                                      WideMask& clipped);
 
 // Solid angle [sr], in [0, 2 pi], of a triangle given relative to the viewpoint [Van Oosterom and Strackee 1983].
 template <typename V>

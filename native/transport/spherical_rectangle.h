@@ -53,6 +53,11 @@ class SphericalRectangle {
         return place.x * axis_x_ + place.y * axis_y_ + view_.z * axis_z_;
     }
 
+    // point(0, 0) to point(1, 1).
+    [[nodiscard]] Vec3 corner(bool right, bool above) const {
+        return (right ? view_.x1 : view_.x0) * axis_x_ + (above ? view_.y1 : view_.y0) * axis_y_ + view_.z * axis_z_;
+    }
+
     [[nodiscard]] const RectangleView<float>& view() const { return view_; }
     // Unit; z from the rectangle to x's side.
     [[nodiscard]] Vec3 axis_x() const { return axis_x_; }
