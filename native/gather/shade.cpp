@@ -12,6 +12,18 @@ namespace {
 
 constexpr float kShareOfSamples = 0.75F;  // power of a fragment's share by which its samples are fewer
 
+constexpr float kSmallShare = 0.3F;  // of a pixel, for which every other direction is enough to find what is near
+
+// As the squares of a chessboard.
+TableCellSet make_every_other_cell() {
+    TableCellSet cells;
+    for (std::uint32_t c = 0; c < kTableCells; ++c) {
+        const SkyCell cell = table_cell(c);
+        cells.set(c, (cell.face + cell.i + cell.j) % 2 == 0);
+    }
+    return cells;
+}
+
 }  // namespace
 
 Shader::Shader(const Solution& solution, const NodeOrder& order, const ClusterPoints& points, const RayTracer& tracer)
@@ -90,6 +102,7 @@ Rgb Shader::light_of_models(const PlacedFragment& fragment, const Point& point, 
 }
 
 void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
+    static const TableCellSet every_other_cell = make_every_other_cell();
     near_.clear();
     for (std::size_t p = 0; p < fragments.size(); ++p) {
         near_.push_back({points_[p].x, fragments[p].at.normal, {}, 0});
@@ -100,6 +113,9 @@ void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
         for (const WeightedSite& weighted : fragments[p].sites()) {
             near_[p].reach = std::max(near_[p].reach, weighted.site->reach.none);
             near_[p].cells |= weighted.site->near_cells;
+        }
+        if (fragments[p].at.share < kSmallShare) {
+            near_[p].cells &= every_other_cell;
         }
     }
     surroundings_.look_near(near_);
@@ -113,7 +129,8 @@ void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
             const float near = site.near_cells[met.cell] ? site.reach.nearness(met.distance) : 0;
             if (near > 0) {
                 const Rgb radiance = holds(site.apart, met.rank) ? Rgb(0.0F) : met.radiance;
-                points_[met.point].light.near += weighted.weight * near * cosines_[met.point].of[met.cell] *
+                const float cells = fragments[met.point].at.share < kSmallShare ? 2.0F : 1.0F;  // that it stands for
+                points_[met.point].light.near += cells * weighted.weight * near * cosines_[met.point].of[met.cell] *
                                             (kTableSolidAngle * radiance - site.table.at(met.cell));
             }
         }
