@@ -45,10 +45,50 @@ Rgb irradiance_of(const LampSample& sample, Vec3 normal) {
     return std::max(0.0F, dot(normal, sample.direction)) * sample.normal_irradiance;
 }
 
+// The same as for any lamp, candidates side by side.
+SourceRay ray_to_rectangle(const Lamp& lamp, const SphericalRectangle& rectangle, int side, const OffsetPoint& x,
+                           Vec3 sample) {
+    RectangleView<Wide> view;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        view.set(lane, rectangle.view());
+    }
+    const Vec3 normal{dot(x.normal, rectangle.axis_x()), dot(x.normal, rectangle.axis_y()),
+                      dot(x.normal, rectangle.axis_z())};
+    const int count = side * side;
+    std::array<Vec2, kMostCandidates> places;
+    std::array<float, kMostCandidates> cosines{};
+    float sum = 0;
+    for (int begin = 0; begin < count; begin += static_cast<int>(kLanes)) {
+        WideVec2 uv;
+        const int lanes = std::min(count - begin, static_cast<int>(kLanes));
+        for (int lane = 0; lane < lanes; ++lane) {
+            const Vec2 place = candidate(sample, begin + lane, side);
+            uv.x[lane] = place.x;
+            uv.y[lane] = place.y;
+        }
+        const WideVec2 at = view.point(uv.x, uv.y);
+        const Wide cosine = (normal.x * at.x + normal.y * at.y + normal.z * view.z) /
+                            sqrt(at.x * at.x + at.y * at.y + view.z * view.z);
+        for (int lane = 0; lane < lanes; ++lane) {
+            places[begin + lane] = {at.x[lane], at.y[lane]};
+            cosines[begin + lane] = std::max(0.0F, static_cast<float>(cosine[lane]));
+            sum += cosines[begin + lane];
+        }
+    }
+    const Vec2 chosen = places[choose(std::span(cosines).first(count), sum, sample.z)];
+    const Vec3 to = chosen.x * rectangle.axis_x() + chosen.y * rectangle.axis_y() +
+                    rectangle.view().z * rectangle.axis_z();
+    const Rgb all = rectangle.solid_angle() * lamp.radiance;
+    return {{x.position, to, 0, kAlmost}, sum / static_cast<float>(count) * all};
+}
+
 SourceRay ray_to_lamp(const Lamp& lamp, float size, const OffsetPoint& x, Vec3 sample) {
     const bool distant = lamp.shape == LampShape::kDistant;
     const int side = distant ? 1 : candidates_on_a_side(length_squared(lamp.position - x.position), size);
     const LampSampler sampler(lamp, x.position, kFar);
+    if (side > 1 && sampler.rectangle() != nullptr) {
+        return ray_to_rectangle(lamp, *sampler.rectangle(), side, x, sample);
+    }
     std::array<LampSample, kMostCandidates> candidates;
     std::array<float, kMostCandidates> weights{};
     Rgb mean(0.0F);
