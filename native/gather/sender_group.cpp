@@ -4,6 +4,7 @@
 
 #include "core/random.h"
 #include "gather/sender_light.h"
+#include "radiosity/quarter.h"
 #include "scene/light_units.h"
 #include "transport/form_factor.h"
 
@@ -139,35 +140,56 @@ SenderGroup::Seen SenderGroup::see_distant(std::uint32_t index, const Block& blo
     return {direction, place.light * max(Wide(0), dot(block.n, direction))};
 }
 
-void SenderGroup::light(std::vector<Rgb>& out) const {
+// Of an element: sum over its parts of their form factors times their radiosities, which become even with distance.
+SenderGroup::Lit SenderGroup::light_of_element(const Block& block) const {
     const Node& node = hierarchy_of(solution_)[sender_];
-    out.resize(count_);
-    const auto one_by_one = [&](std::size_t k) {
-        const Block& block = blocks_[k / kLanes];
-        const std::size_t lane = k % kLanes;
-        out[k] = unoccluded_irradiance(solution_, clusters_, sender_, block.x.lane(lane), block.n.lane(lane));
-    };
-    if (node.kind != NodeKind::kElement) {
-        for (std::size_t k = 0; k < count_; ++k) {
-            one_by_one(k);
+    const Rgb mean = radiosity_of(solution_, sender_);
+    const WideVec3 to = WideVec3(node.center) - block.x;
+    const WideMask front = dot(block.x - WideVec3(node.corner[0]), WideVec3(node.normal)) > 0;
+    const Wide closeness = node.child_count > 0 ? Wide(0) : closeness_of(node, Wide(sqrt(dot(to, to))));
+    Lit lit;
+    lit.clipped = WideMask(false);
+    if (none_of(front && closeness > 0)) {
+        lit.light = select(front, points_to_triangle(block.x, block.n, node.corner, lit.clipped), 0) * WideVec3(mean);
+    } else {
+        const std::array<Rgb, 3> corners = corner_radiosity(solution_, sender_);
+        for (int quarter = 0; quarter < kQuarters; ++quarter) {
+            const auto own = quarter_of(corners, quarter);
+            const Rgb uneven = (own[0] + own[1] + own[2]) / 3.0F - mean;
+            WideMask clipped;
+            const Wide factor = points_to_triangle(block.x, block.n, quarter_of(node.corner, quarter), clipped);
+            lit.clipped = lit.clipped || clipped;
+            lit.light = lit.light + select(front, factor, 0) * (WideVec3(mean) + closeness * WideVec3(uneven));
         }
-        return;
     }
-    const Rgb radiosity = radiosity_of(solution_, sender_);
-    const float uneven = node.child_count > 0 ? 0.0F : kEvenDistance * node.radius;  // m, up to there
+    lit.clipped = lit.clipped && front;
+    return lit;
+}
+
+SenderGroup::Lit SenderGroup::light_of_rectangle(const Block& block) const {
+    const Vec3 x = lamp_->half_x, y = lamp_->half_y, middle = lamp_->position;
+    const WideMask front = dot(block.x - WideVec3(middle), WideVec3(lamp_->direction)) > 0;
+    WideMask clipped;
+    Lit lit;
+    Wide factor = points_to_triangle(block.x, block.n, {middle - x - y, middle + x - y, middle + x + y}, lit.clipped);
+    factor += points_to_triangle(block.x, block.n, {middle - x - y, middle + x + y, middle - x + y}, clipped);
+    lit.clipped = front && (lit.clipped || clipped);
+    lit.light = select(front, factor, 0) * WideVec3(kPi * lamp_->radiance);
+    return lit;
+}
+
+void SenderGroup::light(std::vector<Rgb>& out) const {
+    out.resize(count_);
+    const bool element = hierarchy_of(solution_)[sender_].kind == NodeKind::kElement;
+    const bool rectangle = lamp_ != nullptr && lamp_->shape == LampShape::kRectangle;
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
-        const WideVec3& x = blocks_[b].x;
-        const WideVec3 to = WideVec3(node.center) - x;
-        const WideMask front = dot(x - WideVec3(node.corner[0]), WideVec3(node.normal)) > 0;
-        WideMask hard;
-        const Wide factor = select(front, points_to_triangle(x, blocks_[b].n, node.corner, hard), 0);
-        hard = front && (hard || dot(to, to) < uneven * uneven);
+        const Block& block = blocks_[b];
+        const Lit lit = element ? light_of_element(block) : rectangle ? light_of_rectangle(block) : Lit();
         for (std::size_t k = b * kLanes; k < std::min(count_, (b + 1) * kLanes); ++k) {
-            if (hard[k % kLanes]) {
-                one_by_one(k);
-            } else {
-                out[k] = factor[k % kLanes] * radiosity;
-            }
+            const std::size_t lane = k % kLanes;
+            out[k] = lit.clipped[lane] ? unoccluded_irradiance(solution_, clusters_, sender_, block.x.lane(lane),
+                                                               block.n.lane(lane))
+                                       : lit.light.lane(lane);
         }
     }
 }

@@ -54,6 +54,10 @@ class SenderGroup {
         WideVec3 direction;
         Wide weight = 0;
     };
+    struct Lit {
+        WideVec3 light;                   // W/m2
+        WideMask clipped = WideMask(true);  // lanes that are to be looked at one by one
+    };
     // A point that is the same for all, and shines to one side.
     struct Target {
         Vec3 position{0.0F}, normal{0.0F};
@@ -61,6 +65,8 @@ class SenderGroup {
         float soft = 0, soft_again = 0;  // m2 by which either factor of the distance's square is larger
     };
 
+    [[nodiscard]] Lit light_of_element(const Block& block) const;
+    [[nodiscard]] Lit light_of_rectangle(const Block& block) const;
     [[nodiscard]] bool has_targets() const;
     [[nodiscard]] Target target(std::uint32_t index) const;
     [[nodiscard]] static Seen see(const Target& target, const Block& block);

@@ -11,7 +11,6 @@ namespace gg {
 
 namespace {
 
-constexpr float kLinearDistance = 2.5F;  // in radii: up to there an element is linear
 constexpr int kLevels = 1;  // of quarters of a linear element
 
 // Of a triangle whose radiosity is linear, by parts in which it is even.
@@ -42,12 +41,11 @@ Rgb unoccluded_irradiance(const Solution& solution, NodeId sender, Vec3 x, Vec3 
     if (!(dot(x - node.corner[0], node.normal) > 0)) {
         return Rgb(0.0F);
     }
-    const float distance = length(node.center - x) / node.radius;
-    if (node.child_count > 0 || distance >= kEvenDistance) {
+    const float closeness = node.child_count > 0 ? 0.0F : closeness_of(node, length(node.center - x));
+    if (!(closeness > 0)) {
         return point_to_triangle(x, n, node.corner[0], node.corner[1], node.corner[2]) * radiosity_of(solution, sender);
     }
     // Close by the course of its light over the element counts, the more the closer.
-    const float closeness = std::clamp((kEvenDistance - distance) / (kEvenDistance - kLinearDistance), 0.0F, 1.0F);
     auto corners = corner_radiosity(solution, sender);
     const Rgb mean = radiosity_of(solution, sender);
     for (Rgb& corner : corners) {

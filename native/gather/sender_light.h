@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "core/wide.h"
 #include "gather/sender_points.h"
 #include "radiosity/solution.h"
 #include "transport/emitter_sampling.h"
@@ -16,8 +17,12 @@ namespace gg {
 [[nodiscard]] Rgb unoccluded_irradiance(const Solution& solution, const ClusterPoints& cluster_points, NodeId sender,
                                         Vec3 x, Vec3 n);
 
-// In radii: from there on an element is even.
-inline constexpr float kEvenDistance = 5;
+// 0..1: how far an element counts as linear, not as even, at a distance [m] from its middle. T: float or Wide.
+template <typename T>
+[[nodiscard]] T closeness_of(const Node& element, const T& distance) {
+    constexpr float kEven = 5, kLinear = 2.5F;  // in radii: even from the first on, linear up to the second
+    return clamp(T((kEven - distance / element.radius) / (kEven - kLinear)), T(0), T(1));
+}
 
 // In radii: from there on the vector of an element is that of a point.
 inline constexpr float kPointDistance = 6;
