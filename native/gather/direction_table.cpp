@@ -58,4 +58,23 @@ Rgb light_of(const DirectionTable& table, const TableCosines& cosines) {
     return sum;
 }
 
+TableCellSet one_of_partners(const TableCellSet& cells) {
+    static const TableCellSet black = [] {
+        TableCellSet fields;
+        for (std::uint32_t c = 0; c < kTableCells; ++c) {
+            const SkyCell cell = table_cell(c);
+            fields.set(c, (cell.i + cell.j) % 2 == 0);
+        }
+        return fields;
+    }();
+    static const TableCellSet first = [] {
+        TableCellSet fields;
+        for (std::uint32_t c = 0; c < kTableCells; ++c) {
+            fields.set(c, c < table_partner(c));
+        }
+        return fields;
+    }();
+    return (cells | (cells & first) << 1 | (cells >> 1 & first)) & black;
+}
+
 }  // namespace gg

@@ -27,6 +27,13 @@ inline constexpr float kTableSolidAngle = 4 * kPi / kTableCells;  // of a cell, 
 
 using TableCellSet = std::bitset<kTableCells>;
 
+// The cell beside it; partners of one another.
+[[nodiscard]] constexpr std::uint32_t table_partner(std::uint32_t index) {
+    return index ^ 1U;
+}
+// Of every pair of partners of which either is in the set one: all in all as the fields of one colour of a chessboard.
+[[nodiscard]] TableCellSet one_of_partners(const TableCellSet& cells);
+
 // Per cell: irradiance of a plane that faces it, W/m2.
 struct DirectionTable {
     alignas(32) std::array<float, kTableCells> red{}, green{}, blue{};

@@ -11,18 +11,7 @@ namespace gg {
 namespace {
 
 constexpr float kShareOfSamples = 0.75F;  // power of a fragment's share by which its samples are fewer
-
-constexpr float kSmallShare = 0.3F;  // of a pixel, for which every other direction is enough to find what is near
-
-// As the squares of a chessboard.
-TableCellSet make_every_other_cell() {
-    TableCellSet cells;
-    for (std::uint32_t c = 0; c < kTableCells; ++c) {
-        const SkyCell cell = table_cell(c);
-        cells.set(c, (cell.face + cell.i + cell.j) % 2 == 0);
-    }
-    return cells;
-}
+constexpr float kSmallShare = 0.3F;       // of a pixel, for which one of two directions finds well enough what is near
 
 }  // namespace
 
@@ -102,7 +91,6 @@ Rgb Shader::light_of_models(const PlacedFragment& fragment, const Point& point, 
 }
 
 void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
-    static const TableCellSet every_other_cell = make_every_other_cell();
     near_.clear();
     for (std::size_t p = 0; p < fragments.size(); ++p) {
         near_.push_back({points_[p].x, fragments[p].at.normal, {}, 0});
@@ -115,7 +103,7 @@ void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
             near_[p].cells |= weighted.site->near_cells;
         }
         if (fragments[p].at.share < kSmallShare) {
-            near_[p].cells &= every_other_cell;
+            near_[p].cells = one_of_partners(near_[p].cells);
         }
     }
     surroundings_.look_near(near_);
@@ -126,12 +114,19 @@ void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
     for (const Met& met : surroundings_.met()) {
         for (const WeightedSite& weighted : fragments[met.point].sites()) {
             const Site& site = *weighted.site;
-            const float near = site.near_cells[met.cell] ? site.reach.nearness(met.distance) : 0;
-            if (near > 0) {
-                const Rgb radiance = holds(site.apart, met.rank) ? Rgb(0.0F) : met.radiance;
-                const float cells = fragments[met.point].at.share < kSmallShare ? 2.0F : 1.0F;  // that it stands for
-                points_[met.point].light.near += cells * weighted.weight * near * cosines_[met.point].of[met.cell] *
-                                            (kTableSolidAngle * radiance - site.table.at(met.cell));
+            const float near = weighted.weight * site.reach.nearness(met.distance);
+            if (!(near > 0)) {
+                continue;
+            }
+            const Rgb light = holds(site.apart, met.rank) ? Rgb(0.0F) : kTableSolidAngle * met.radiance;
+            const auto replace = [&](std::uint32_t cell) {
+                if (site.near_cells[cell]) {
+                    points_[met.point].light.near += near * cosines_[met.point].of[cell] * (light - site.table.at(cell));
+                }
+            };
+            replace(met.cell);
+            if (fragments[met.point].at.share < kSmallShare) {
+                replace(table_partner(met.cell));
             }
         }
     }

@@ -19,6 +19,22 @@ TEST(DirectionTable, cells_and_indices_agree) {
     EXPECT_EQ(found.size(), kTableCells);
 }
 
+TEST(DirectionTable, one_of_two_partners_stands_for_both) {
+    EXPECT_EQ(one_of_partners(TableCellSet().set()).count(), kTableCells / 2);
+    for (std::uint32_t c = 0; c < kTableCells; ++c) {
+        const SkyCell cell = table_cell(c), other = table_cell(table_partner(c));
+        EXPECT_EQ(table_partner(table_partner(c)), c);
+        EXPECT_EQ(std::abs(cell.i - other.i) + std::abs(cell.j - other.j), 1);
+        EXPECT_EQ(cell.face, other.face);
+        const TableCellSet of_one = one_of_partners(TableCellSet().set(c));
+        EXPECT_EQ(of_one.count(), 1U);
+        EXPECT_TRUE(of_one[c] || of_one[table_partner(c)]);
+        EXPECT_EQ(of_one, one_of_partners(TableCellSet().set(table_partner(c))));
+        const bool right = cell.i % 8 != 7;
+        EXPECT_FALSE(right && one_of_partners(TableCellSet().set())[c] && one_of_partners(TableCellSet().set())[c + 1]);
+    }
+}
+
 // The integral of max(0, n.d) over the sphere is pi.
 TEST(DirectionTable, even_light_is_pi_on_every_normal) {
     DirectionTable table;

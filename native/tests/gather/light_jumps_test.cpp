@@ -62,6 +62,21 @@ TEST(LightJumps, other_surfaces_do_not_count) {
     EXPECT_TRUE(turned.found().empty());
 }
 
+// Leaves of a plant, one behind the other; and neighbours in the plane, which do count.
+TEST(LightJumps, what_lies_behind_the_surface_does_not_count) {
+    Row row({1, 1, 1, 2, 2, 2});
+    for (std::uint32_t t = 0; t < 2; ++t) {
+        for (std::uint32_t p = 0; p < 3; ++p) {
+            row.tiles[t].fragments[p].position = {static_cast<float>(3 * t + p), 0, 0};
+        }
+    }
+    EXPECT_EQ(row.found(), (std::vector<std::uint32_t>{2, 3}));
+    for (Fragment& fragment : row.tiles[1].fragments) {
+        fragment.position.z = -2;
+    }
+    EXPECT_TRUE(row.found().empty());
+}
+
 // From light 1 to 3, either reflected by a half: over the pixel's own light.
 TEST(LightJumps, a_step_is_told_as_a_share_of_the_pixels_light) {
     Row row({1, 1, 1, 3, 3, 3});

@@ -68,16 +68,14 @@ class Evaluation {
         return {std::clamp(sum.samples * std::pow(placed_.at.share, 0.75F), 1.0F, most), sum.expected / weight};
     }
 
+    // By the same formula to the last digit: a ray that passes an edge otherwise now and then meets something else.
     [[nodiscard]] SenderPoint point_of(NodeId sender, std::uint32_t index) const {
-        if (!is_cluster(hierarchy_[sender])) {
-            return SenderSampler(scene_.solution, sender, x_, n_).point(index);
-        }
-        const ClusterFaces& points = scene_.points.of(sender);
-        if (points.empty()) {
-            return {};
-        }
-        const Vec3 to = points[index].position - x_;
-        return {to, false, luminance(irradiance_from(points[index], 1, to, n_, disk_of(sender)))};
+        SenderGroup alone(scene_.solution, scene_.points);
+        GroupPoint seen;
+        alone.begin(sender);
+        alone.add(x_, n_);
+        alone.see(index, seen);
+        return {seen.direction(0), alone.infinite(), seen.weight[0]};
     }
 
     [[nodiscard]] float disk_of(NodeId cluster) const { return 0.5F * hierarchy_[cluster].area / kClusterPoints; }
@@ -180,14 +178,18 @@ class Evaluation {
         return false;
     }
 
-    // Every direction of the table: what the site says of it, and as far as something is near, that instead.
+    // Every direction of the table: what the site says of it, and as far as something is near, that instead. Where
+    // little is seen of a fragment, one of two neighbours says what is near in both.
     [[nodiscard]] Vec3d of_surroundings(const Site& site) {
         const TableCosines cosines(n_);
+        const bool in_pairs = placed_.at.share < 0.3F;
         Vec3d sum(0.0);
         for (std::uint32_t cell = 0; cell < kTableCells; ++cell) {
             const double cosine = cosines.of[cell];
             const Vec3d far = cosine * Vec3d(site.table.at(cell));
-            const Vec3 direction = near_direction(cell);
+            const SkyCell place = table_cell(cell);
+            const bool by_the_other = in_pairs && (place.i + place.j) % 2 != 0;
+            const Vec3 direction = near_direction(by_the_other ? cell ^ 1U : cell);
             if (!site.near_cells[cell] || !(dot(direction, placed_.at.normal) > 0)) {
                 sum += far;
                 continue;

@@ -43,6 +43,35 @@ TEST(form_factor, point_to_triangle_has_the_textbook_value) {
     EXPECT_NEAR(point_to_polygon(kOrigin, kUp, std::array{c, b, a}), 0.096225044864938, kExact);
 }
 
+// Lanes from next to the triangle to far away, the horizon cutting some of them.
+TEST(form_factor, points_at_a_time_have_what_each_has_alone) {
+    test::Random random(12);
+    int whole = 0, cut = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const auto corners = random.polygon(Vec3d(0.0), 1, 3);
+        const std::array<Vec3, 3> triangle{Vec3(corners[0]), Vec3(corners[1]), Vec3(corners[2])};
+        WideVec3 x, n;
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            x.set(lane, Vec3(std::pow(10.0, random.uniform(-1, 2)) * random.direction()));
+            n.set(lane, Vec3(random.direction()));
+        }
+        WideMask clipped;
+        const Wide found = points_to_triangle(x, n, triangle, clipped);
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const float alone = point_to_triangle(x.lane(lane), n.lane(lane), triangle[0], triangle[1], triangle[2]);
+            if (clipped[lane]) {
+                EXPECT_EQ(static_cast<float>(found[lane]), 0);
+                ++cut;
+            } else {
+                EXPECT_NEAR(found[lane], alone, 2 * kFormFactorAccuracy * std::max(alone, 1e-3F));
+                whole += alone > 0 ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(whole, 3000);
+    EXPECT_GT(cut, 500);
+}
+
 TEST(form_factor, solid_angles_have_the_textbook_values) {
     const auto square = [](double half) {
         const auto q = rectangle(-half, -half, half, half, 1);
