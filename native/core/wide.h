@@ -61,6 +61,9 @@ struct WideVec3 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+[[nodiscard]] inline WideVec3 select(WideMask which, const WideVec3& yes, const WideVec3& no) {
+    return {select(which, yes.x, no.x), select(which, yes.y, no.y), select(which, yes.z, no.z)};
+}
 [[nodiscard]] inline Wide luminance(const WideVec3& c) {
     return 0.2126F * c.x + 0.7152F * c.y + 0.0722F * c.z;
 }

@@ -215,9 +215,7 @@ void SenderGroup::see(std::uint32_t index, GroupPoint& out) const {
             if (by_angle_ > 0) {
                 const Seen by_angle = see_rectangle({place.u, place.v}, block);
                 const WideMask which = block.by_angle > 0;
-                seen.direction = {select(which, by_angle.direction.x, seen.direction.x),
-                                  select(which, by_angle.direction.y, seen.direction.y),
-                                  select(which, by_angle.direction.z, seen.direction.z)};
+                seen.direction = select(which, by_angle.direction, seen.direction);
                 seen.weight = select(which, by_angle.weight, seen.weight);
             }
         } else {

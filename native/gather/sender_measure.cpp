@@ -4,6 +4,7 @@
 
 #include "gather/sender_light.h"
 #include "gather/sender_place.h"
+#include "transport/form_factor.h"
 
 namespace gg {
 
@@ -17,9 +18,15 @@ void SenderMeter::look_from(std::span<const Receiver> receivers) {
 }
 
 SenderMeasure SenderMeter::measure(NodeId sender, std::size_t count) {
-    start(sender);
-    if (hierarchy_of(solution_)[sender].kind != NodeKind::kElement || !add_from_afar(count)) {
-        start(sender);
+    sender_ = sender;
+    sum_ = {};
+    vectors_.clear();
+    const Node& node = hierarchy_of(solution_)[sender];
+    const bool rectangle = node.kind == NodeKind::kLamp && hierarchy_of(solution_).scene().lamps[node.source].shape ==
+                                                               LampShape::kRectangle;
+    if (node.kind == NodeKind::kElement || rectangle) {
+        add_in_blocks(count);
+    } else {
         add_one_by_one(count);
     }
     if (vectors_.empty()) {
@@ -39,44 +46,58 @@ SenderMeasure SenderMeter::measure(NodeId sender, std::size_t count) {
     return sum_;
 }
 
-void SenderMeter::start(NodeId sender) {
-    sender_ = sender;
-    sum_ = {};
-    vectors_.clear();
-}
-
 void SenderMeter::add(Vec3 vector, bool crosses_horizon) {
     vectors_.push_back(vector);
     sum_.largest = std::max(sum_.largest, length(vector));
     sum_.horizon = sum_.horizon || crosses_horizon;
 }
 
-// An element that is as good as a point for all receivers. Returns whether it is.
-bool SenderMeter::add_from_afar(std::size_t count) {
+// From afar an element is as good as a point.
+WideVec3 SenderMeter::vectors_of_element(const Block& block) const {
     const Node& node = hierarchy_of(solution_)[sender_];
-    const WideVec3 middle(node.center), normal(node.normal);
-    const Rgb radiosity = radiosity_of(solution_, sender_);
-    const float light = luminance(radiosity) * node.area / kPi;
-    const float nearest = kPointDistance * kPointDistance * node.radius * node.radius;
+    const WideVec3 to = WideVec3(node.center) - block.position;
+    const Wide square = dot(to, to);
+    const WideMask front = dot(block.position - WideVec3(node.corner[0]), WideVec3(node.normal)) > 0;
+    const WideMask far = square > kPointDistance * kPointDistance * node.radius * node.radius;
+    const Wide facing = -dot(to, WideVec3(node.normal));
+    WideVec3 vectors = Wide(node.area / kPi * facing / max(square * square, Wide(1e-30F))) * to;
+    if (any_of(front && !far)) {
+        vectors = select(far, vectors, vectors_to_triangle(block.position, node.corner));
+    }
+    return select(front, vectors, WideVec3());
+}
+
+WideVec3 SenderMeter::vectors_of_rectangle(const Lamp& lamp, const Block& block) {
+    const Vec3 x = lamp.half_x, y = lamp.half_y, middle = lamp.position;
+    const WideMask front = dot(block.position - WideVec3(middle), WideVec3(lamp.direction)) > 0;
+    return select(front,
+                  vectors_to_triangle(block.position, {middle - x - y, middle + x - y, middle + x + y}) +
+                      vectors_to_triangle(block.position, {middle - x - y, middle + x + y, middle - x + y}),
+                  WideVec3());
+}
+
+void SenderMeter::add_in_blocks(std::size_t count) {
+    const Node& node = hierarchy_of(solution_)[sender_];
+    const Lamp* lamp = node.kind == NodeKind::kLamp ? &hierarchy_of(solution_).scene().lamps[node.source] : nullptr;
+    const Rgb radiosity = lamp != nullptr ? kPi * lamp->radiance : radiosity_of(solution_, sender_);
     for (std::size_t b = 0; b < blocks_.size() && vectors_.size() < count; ++b) {
-        const WideVec3 to = middle - blocks_[b].position;
-        const Wide square = dot(to, to);
-        const Wide height = dot(to, blocks_[b].normal);  // m, above the horizon
-        const Wide facing = -dot(to, normal);
-        const WideMask used = height >= -node.radius && facing > 0;
-        if (any_of(used && square <= nearest)) {
-            return false;
+        const Block& block = blocks_[b];
+        const Wide height = dot(WideVec3(node.center) - block.position, block.normal);  // m, above the horizon
+        const WideMask above = height >= -node.radius;
+        if (none_of(above)) {
+            continue;
         }
-        const Wide factor = select(used, Wide(light * facing / max(square * square, Wide(1e-30F))), 0);
+        const WideVec3 all = lamp != nullptr ? vectors_of_rectangle(*lamp, block) : vectors_of_element(block);
+        const WideVec3 vectors = select(above, luminance(radiosity) * all, WideVec3());
+        const Wide square = dot(vectors, vectors);
         const WideMask crosses = abs(height) < node.radius;
         for (std::size_t lane = 0; lane < std::min(kLanes, receivers_.size() - b * kLanes); ++lane) {
-            if (factor[lane] > 0) {
-                add(factor[lane] * to.lane(lane), crosses[lane]);
+            if (square[lane] > 0) {
+                add(vectors.lane(lane), crosses[lane]);
             }
         }
     }
     sum_.irradiance = radiosity;
-    return true;
 }
 
 void SenderMeter::add_one_by_one(std::size_t count) {

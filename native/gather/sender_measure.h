@@ -27,8 +27,7 @@ class SenderMeter {
 
     // The receivers to come; they must outlive their use.
     void look_from(std::span<const Receiver> receivers);
-    // Over at least `count` receivers if so many see the sender, and a few more where that costs nothing. Not for the
-    // sky.
+    // Over `count` receivers if so many see the sender, and a few more where that costs nothing. Not for the sky.
     [[nodiscard]] SenderMeasure measure(NodeId sender, std::size_t count);
 
   private:
@@ -37,8 +36,10 @@ class SenderMeter {
         WideVec3 position, normal;
     };
 
-    void start(NodeId sender);
-    bool add_from_afar(std::size_t count);
+    // Vector form factors; zero where the receiver is behind the sender.
+    [[nodiscard]] WideVec3 vectors_of_element(const Block& block) const;
+    [[nodiscard]] static WideVec3 vectors_of_rectangle(const Lamp& lamp, const Block& block);
+    void add_in_blocks(std::size_t count);
     void add_one_by_one(std::size_t count);
     void add(Vec3 vector, bool crosses_horizon);
 

@@ -38,7 +38,10 @@ template <typename V>
 template <typename V>
 [[nodiscard]] typename V::value_type point_to_triangle(V x, V n, V a, V b, V c);
 
-// The same for several points and one triangle. clipped: lanes in which the horizon cuts the triangle; they get 0.
+// Of several points and one triangle: vector_form_factor().
+[[nodiscard]] WideVec3 vectors_to_triangle(const WideVec3& x, const std::array<Vec3, 3>& triangle);
+
+// The same, point_to_triangle(). clipped: lanes in which the horizon cuts the triangle; they get 0.
 [[nodiscard]] Wide points_to_triangle(const WideVec3& x, const WideVec3& n, const std::array<Vec3, 3>& triangle,
                                       WideMask& clipped);
 
