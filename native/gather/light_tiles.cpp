@@ -45,7 +45,7 @@ struct PixelCounts {
 
 struct LitTile {
     TileLight light;
-    std::vector<Rgb> near;  // PointLight::near of every fragment
+    std::vector<Rgb> near;           // PointLight::near of every fragment
     std::vector<PixelCounts> taken;  // per pixel
 };
 
@@ -61,8 +61,8 @@ class TileLighter {
         for (std::size_t begin = 0; begin < taken.size(); begin += kFragmentsAtOnce) {
             control_.check_cancel();
             const std::size_t count = std::min(kFragmentsAtOnce, taken.size() - begin);
-            gatherer_.shade(std::span(tile_.fragments).subspan(begin, count),
-                            std::span(light).subspan(begin, count), std::span(taken).subspan(begin, count));
+            gatherer_.shade(std::span(tile_.fragments).subspan(begin, count), std::span(light).subspan(begin, count),
+                            std::span(taken).subspan(begin, count));
         }
         for (const PointLight& of_fragment : light) {
             lit_.light.push_back(of_fragment.all);

@@ -187,9 +187,9 @@ void SenderGroup::light(std::vector<Rgb>& out) const {
         const Lit lit = element ? light_of_element(block) : rectangle ? light_of_rectangle(block) : Lit();
         for (std::size_t k = b * kLanes; k < std::min(count_, (b + 1) * kLanes); ++k) {
             const std::size_t lane = k % kLanes;
-            out[k] = lit.clipped[lane] ? unoccluded_irradiance(solution_, clusters_, sender_, block.x.lane(lane),
-                                                               block.n.lane(lane))
-                                       : lit.light.lane(lane);
+            out[k] = lit.clipped[lane]
+                         ? unoccluded_irradiance(solution_, clusters_, sender_, block.x.lane(lane), block.n.lane(lane))
+                         : lit.light.lane(lane);
         }
     }
 }
@@ -204,7 +204,8 @@ void SenderGroup::see(std::uint32_t index, GroupPoint& out) const {
         place = sampler_->place(index);
     }
     const Target common = has_targets() && by_angle_ < count_ ? target(index) : Target();
-    const Vec2 disk = lamp_ != nullptr && lamp_->shape == LampShape::kSphere ? square_to_disk(place.u, place.v) : Vec2(0);
+    const Vec2 disk =
+        lamp_ != nullptr && lamp_->shape == LampShape::kSphere ? square_to_disk(place.u, place.v) : Vec2(0);
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
         const Block& block = blocks_[b];
         Seen seen;

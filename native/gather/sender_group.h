@@ -55,7 +55,7 @@ class SenderGroup {
         Wide weight = 0;
     };
     struct Lit {
-        WideVec3 light;                   // W/m2
+        WideVec3 light;                     // W/m2
         WideMask clipped = WideMask(true);  // lanes that are to be looked at one by one
     };
     // A point that is the same for all, and shines to one side.
@@ -79,10 +79,10 @@ class SenderGroup {
     const ClusterPoints& clusters_;
     NodeId sender_ = kNone;
     const Lamp* lamp_ = nullptr;
-    std::optional<SenderSampler> sampler_;  // of the first receiver; none of a cluster
+    std::optional<SenderSampler> sampler_;             // of the first receiver; none of a cluster
     Vec3 axis_x_{0.0F}, axis_y_{0.0F}, axis_z_{0.0F};  // of a rectangle that is seen by its solid angle
     std::vector<Block> blocks_;
-    std::size_t count_ = 0;    // of receivers
+    std::size_t count_ = 0;     // of receivers
     std::size_t by_angle_ = 0;  // of them
 };
 

@@ -22,8 +22,8 @@ SenderMeasure SenderMeter::measure(NodeId sender, std::size_t count) {
     sum_ = {};
     vectors_.clear();
     const Node& node = hierarchy_of(solution_)[sender];
-    const bool rectangle = node.kind == NodeKind::kLamp && hierarchy_of(solution_).scene().lamps[node.source].shape ==
-                                                               LampShape::kRectangle;
+    const bool rectangle = node.kind == NodeKind::kLamp &&
+                           hierarchy_of(solution_).scene().lamps[node.source].shape == LampShape::kRectangle;
     if (node.kind == NodeKind::kElement || rectangle) {
         add_in_blocks(count);
     } else {

@@ -13,7 +13,7 @@ namespace gg {
 
 // Of one sender, over the receivers that it may light; all zero if there are none.
 struct SenderMeasure {
-    Rgb irradiance{0.0F};          // W/m2, mean, of a plane that faces the mean direction
+    Rgb irradiance{0.0F};  // W/m2, mean, of a plane that faces the mean direction
     Vec3 direction{0.0F, 0.0F, 1.0F};
     float spread = 0;      // of the irradiance vector, W/m2
     float largest = 0;     // W/m2

@@ -121,7 +121,8 @@ void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
             const Rgb light = holds(site.apart, met.rank) ? Rgb(0.0F) : kTableSolidAngle * met.radiance;
             const auto replace = [&](std::uint32_t cell) {
                 if (site.near_cells[cell]) {
-                    points_[met.point].light.near += near * cosines_[met.point].of[cell] * (light - site.table.at(cell));
+                    points_[met.point].light.near +=
+                        near * cosines_[met.point].of[cell] * (light - site.table.at(cell));
                 }
             };
             replace(met.cell);
@@ -132,7 +133,8 @@ void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
     }
 }
 
-void Shader::shade(std::span<const PlacedFragment> fragments, std::span<PointLight> light, std::span<PointCounts> taken) {
+void Shader::shade(std::span<const PlacedFragment> fragments, std::span<PointLight> light,
+                   std::span<PointCounts> taken) {
     points_.clear();
     tasks_.clear();
     cosines_.clear();

@@ -26,8 +26,8 @@ struct WeightedSite {
 struct PlacedFragment {
     Fragment at;
     std::array<WeightedSite, SitePlace::kMost> around;
-    std::uint32_t count = 0;  // of sites
-    float on_surface = 0;     // weight of those on the fragment's surface
+    std::uint32_t count = 0;                 // of sites
+    float on_surface = 0;                    // weight of those on the fragment's surface
     std::optional<Rgb> near = std::nullopt;  // if it is known: PointLight::near
 
     [[nodiscard]] std::span<const WeightedSite> sites() const { return std::span(around).first(count); }

@@ -67,8 +67,8 @@ SourceRay ray_to_rectangle(const Lamp& lamp, const SphericalRectangle& rectangle
             uv.y[lane] = place.y;
         }
         const WideVec2 at = view.point(uv.x, uv.y);
-        const Wide cosine = (normal.x * at.x + normal.y * at.y + normal.z * view.z) /
-                            sqrt(at.x * at.x + at.y * at.y + view.z * view.z);
+        const Wide cosine =
+            (normal.x * at.x + normal.y * at.y + normal.z * view.z) / sqrt(at.x * at.x + at.y * at.y + view.z * view.z);
         for (int lane = 0; lane < lanes; ++lane) {
             places[begin + lane] = {at.x[lane], at.y[lane]};
             cosines[begin + lane] = std::max(0.0F, static_cast<float>(cosine[lane]));
@@ -76,8 +76,8 @@ SourceRay ray_to_rectangle(const Lamp& lamp, const SphericalRectangle& rectangle
         }
     }
     const Vec2 chosen = places[choose(std::span(cosines).first(count), sum, sample.z)];
-    const Vec3 to = chosen.x * rectangle.axis_x() + chosen.y * rectangle.axis_y() +
-                    rectangle.view().z * rectangle.axis_z();
+    const Vec3 to =
+        chosen.x * rectangle.axis_x() + chosen.y * rectangle.axis_y() + rectangle.view().z * rectangle.axis_z();
     const Rgb all = rectangle.solid_angle() * lamp.radiance;
     return {{x.position, to, 0, kAlmost}, sum / static_cast<float>(count) * all};
 }

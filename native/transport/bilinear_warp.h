@@ -14,8 +14,7 @@ class BilinearWarpOf {
     // Even.
     BilinearWarpOf() : at_{T(1), T(1), T(1), T(1)}, mean_(1) {}
     // at: values of the function, all above zero, at (0, 0), (1, 0), (0, 1), (1, 1).
-    explicit BilinearWarpOf(const std::array<T, 4>& at)
-        : at_(at), mean_(T(0.25F) * (at[0] + at[1] + at[2] + at[3])) {}
+    explicit BilinearWarpOf(const std::array<T, 4>& at) : at_(at), mean_(T(0.25F) * (at[0] + at[1] + at[2] + at[3])) {}
 
     // Uniform (u, v) in [0, 1]^2 are spread by density(); moves continuously with the values.
     [[nodiscard]] Vec2Of<T> place(const T& u, const T& v) const {

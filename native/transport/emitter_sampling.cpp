@@ -112,8 +112,7 @@ IrradianceVector flat_irradiance(const Lamp& lamp, Vec3 x) {
 }  // namespace
 
 Vec3 flat_point(const Lamp& lamp, float u, float v) {
-    const Vec2 local =
-        lamp.shape == LampShape::kEllipse ? square_to_disk(u, v) : Vec2(2 * u - 1, 2 * v - 1);
+    const Vec2 local = lamp.shape == LampShape::kEllipse ? square_to_disk(u, v) : Vec2(2 * u - 1, 2 * v - 1);
     return lamp.position + local.x * lamp.half_x + local.y * lamp.half_y;
 }
 

@@ -15,8 +15,8 @@ template <typename T>
     const T u = t * t;
     // atan(t) / t as a polynomial of t^2 on [0, 1]: minimax by its relative error, which is 1.5e-8.
     T p = T(0.0028498906F);
-    for (const float c : {-0.016068636F, 0.042691533F, -0.07504296F, 0.10640935F, -0.14203645F, 0.1999262F,
-                          -0.33333072F, 1.0F}) {
+    for (const float c :
+         {-0.016068636F, 0.042691533F, -0.07504296F, 0.10640935F, -0.14203645F, 0.1999262F, -0.33333072F, 1.0F}) {
         p = p * u + c;
     }
     const T within = t * p;

@@ -178,8 +178,8 @@ inline WideVec3 vectors_in(const WideVec3& x, const std::array<Vec3, 3>& triangl
         far = small_triangle(sights[0], sights[1], sights[2]);
     }
     if (any_of(seen && !small)) {
-        near = Wide(1 / (2 * kPi)) * (edge_term(sights[0], sights[1]) + edge_term(sights[1], sights[2]) +
-                                      edge_term(sights[2], sights[0]));
+        near = Wide(1 / (2 * kPi)) *
+               (edge_term(sights[0], sights[1]) + edge_term(sights[1], sights[2]) + edge_term(sights[2], sights[0]));
     }
     return select(side > 0, Wide(1), Wide(-1)) * select(seen, select(small, far, near), WideVec3());
 }

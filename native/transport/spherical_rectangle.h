@@ -9,9 +9,9 @@ namespace gg {
 template <typename T>
 struct RectangleView {
     T x0 = T(0), x1 = T(0), y0 = T(0), y1 = T(0), z = T(-1);  // sides, relative to the receiver; z < 0
-    T below = T(0), above = T(0);                            // z of the unit normals of the planes through these sides
-    T offset = T(0);                                         // 2 pi less the angles at the left side
-    T solid_angle = T(0);                                    // sr
+    T below = T(0), above = T(0);                             // z of the unit normals of the planes through these sides
+    T offset = T(0);                                          // 2 pi less the angles at the left side
+    T solid_angle = T(0);                                     // sr
 
     // The point of (u, v) in [0, 1]^2 in the rectangle's axes: uniform (u, v) are uniform in solid angle.
     [[nodiscard]] Vec2Of<T> point(const T& u, const T& v) const {

@@ -155,8 +155,8 @@ TEST(SenderGroup, what_has_one_point_has_one) {
     for (const NodeId id : senders.some()) {
         group.begin(id);
         const Node& node = senders.hierarchy[id];
-        const bool point = node.kind == NodeKind::kLamp &&
-                           senders.hierarchy.scene().lamps[node.source].shape == LampShape::kPoint;
+        const bool point =
+            node.kind == NodeKind::kLamp && senders.hierarchy.scene().lamps[node.source].shape == LampShape::kPoint;
         if (point || is_cluster(node)) {
             EXPECT_EQ(group.most_points(), point ? 1U : kClusterPoints);
         } else {
@@ -192,8 +192,8 @@ TEST(SenderMeter, measures_what_its_receivers_say_one_by_one) {
                 size > 0) {
                 vectors.push_back(size * v.direction);
                 largest = std::max(largest, size);
-                horizon = horizon || crosses_horizon(senders.hierarchy.scene(), node, receiver.position,
-                                                     receiver.shading_normal);
+                horizon = horizon ||
+                          crosses_horizon(senders.hierarchy.scene(), node, receiver.position, receiver.shading_normal);
             }
         }
         Vec3 mean(0.0F);
