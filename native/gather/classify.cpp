@@ -232,6 +232,11 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
     counts_.senders += cut_.senders.size();
     counts_.visibility_rays += rays_.size() + sky_.ray_count() - sky_rays;
     counts_.near_rays += surroundings_.ray_count();
+    // There are many sites, and they stay.
+    site.senders.shrink_to_fit();
+    site.apart.shrink_to_fit();
+    site.leaves.shrink_to_fit();
+    site.beams.shrink_to_fit();
     return site;
 }
 

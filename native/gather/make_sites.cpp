@@ -1,11 +1,12 @@
 #include "gather/make_sites.h"
 
 #include <cstdint>
-#include <mutex>
+#include <memory>
 #include <optional>
 
 #include "core/control.h"
 #include "core/parallel.h"
+#include "core/pool.h"
 #include "core/random.h"
 #include "core/statistics.h"
 #include "gather/free_space.h"
@@ -14,8 +15,16 @@ namespace gg {
 
 namespace {
 
-constexpr std::size_t kSitesAtOnce = 64;
+constexpr std::size_t kSitesAtOnce = 16;
 constexpr std::uint64_t kFreeSpaceSeed = 0x66726565;
+
+struct Worker {
+    explicit Worker(Classifier classifier) : from_seen(std::move(classifier)) {}
+
+    Classifier from_seen;
+    std::optional<FreeSpaceClassifier> from_space;
+    std::uint64_t on_grid = 0;  // sites
+};
 
 // Points in the cells around a vertex of the grid.
 FreeSpace free_space_around(const PerspectiveGrid& grid, std::uint32_t vertex, std::span<const Receiver> receivers) {
@@ -47,32 +56,36 @@ std::vector<Site> make_sites(const Solution& solution, const NodeOrder& order, c
                              const ClassifySettings& settings, bool free_space, const Control& control,
                              Statistics& statistics) {
     std::vector<Site> sites(receivers.site_count());
-    std::mutex mutex;
+    Pool<Worker> workers([&] {
+        auto worker = std::make_unique<Worker>(Classifier(solution, order, points, tracer, settings));
+        if (free_space) {
+            worker->from_space.emplace(solution, order, points, tracer, settings);
+        }
+        return worker;
+    });
+    parallel_blocks(sites.size(), kSitesAtOnce, control, [&](std::size_t begin, std::size_t end) {
+        workers.use([&](Worker& worker) {
+            for (std::size_t i = begin; i < end; ++i) {
+                control.check_cancel();
+                const std::uint32_t vertex = receivers.vertex_of(i);
+                const bool grid = places.is_of_grid(vertex);
+                const auto seen = receivers.of(i);
+                sites[i] = grid && worker.from_space
+                               ? worker.from_space->classify(free_space_around(places.grid(), vertex, seen))
+                               : worker.from_seen.classify(seen);
+                worker.on_grid += grid ? 1 : 0;
+            }
+        });
+    });
     GatherCounts total;
     std::uint64_t on_grid = 0;
-    parallel_blocks(sites.size(), kSitesAtOnce, control, [&](std::size_t begin, std::size_t end) {
-        Classifier from_seen(solution, order, points, tracer, settings);
-        std::optional<FreeSpaceClassifier> from_space;
-        if (free_space) {
-            from_space.emplace(solution, order, points, tracer, settings);
+    for (const auto& worker : workers.all()) {
+        total += worker->from_seen.counts();
+        if (worker->from_space) {
+            total += worker->from_space->counts();
         }
-        std::uint64_t of_grid = 0;
-        for (std::size_t i = begin; i < end; ++i) {
-            control.check_cancel();
-            const std::uint32_t vertex = receivers.vertex_of(i);
-            const bool grid = places.is_of_grid(vertex);
-            sites[i] = grid && from_space
-                           ? from_space->classify(free_space_around(places.grid(), vertex, receivers.of(i)))
-                           : from_seen.classify(receivers.of(i));
-            of_grid += grid ? 1 : 0;
-        }
-        const std::scoped_lock lock(mutex);
-        total += from_seen.counts();
-        if (from_space) {
-            total += from_space->counts();
-        }
-        on_grid += of_grid;
-    });
+        on_grid += worker->on_grid;
+    }
     report(total, on_grid, places, statistics);
     return sites;
 }
