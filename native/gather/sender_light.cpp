@@ -26,6 +26,18 @@ Rgb from_part(Vec3 x, Vec3 n, const std::array<Vec3, 3>& corners, const std::arr
     return sum;
 }
 
+// Some of a cluster's points as seen from x.
+struct FacesFrom {
+    WideVec3 to, normal, power;  // to: m
+    Wide square;                 // of the distance, m2
+
+    FacesFrom(const ClusterFaces& faces, std::size_t first, const WideVec3& x)
+        : to(WideVec3(load(&faces.x[first]), load(&faces.y[first]), load(&faces.z[first])) - x),
+          normal(load(&faces.normal_x[first]), load(&faces.normal_y[first]), load(&faces.normal_z[first])),
+          power(load(&faces.red[first]), load(&faces.green[first]), load(&faces.blue[first])),
+          square(max(dot(to, to), Wide(1e-30F))) {}
+};
+
 // The lane sums.
 Vec3 sum_of(const WideVec3& v) {
     return {reduce(v.x), reduce(v.y), reduce(v.z)};
@@ -82,14 +94,12 @@ IrradianceVector irradiance_vector(const Solution& solution, const ClusterPoints
     const WideVec3 at(x);
     WideVec3 sums, vectors;
     for (std::size_t i = 0; i < kClusterPoints; i += kLanes) {
-        const WideVec3 to = WideVec3(load(&faces.x[i]), load(&faces.y[i]), load(&faces.z[i])) - at;
-        const WideVec3 normal(load(&faces.normal_x[i]), load(&faces.normal_y[i]), load(&faces.normal_z[i]));
-        const Wide square = max(dot(to, to), Wide(1e-30F));
-        const Wide inverse = 1 / sqrt(square);
-        const Wide factor = max(Wide(0), Wide(-dot(normal, to))) * inverse / (square + cluster_disk(node) / kPi);
-        const WideVec3 light = factor * WideVec3(load(&faces.red[i]), load(&faces.green[i]), load(&faces.blue[i]));
+        const FacesFrom seen(faces, i, at);
+        const Wide inverse = 1 / sqrt(seen.square);
+        const Wide cosine = max(Wide(0), Wide(-dot(seen.normal, seen.to))) * inverse;
+        const WideVec3 light = cosine / (seen.square + cluster_disk(node) / kPi) * seen.power;
         sums = sums + light;
-        vectors = vectors + luminance(light) * inverse * to;
+        vectors = vectors + luminance(light) * inverse * seen.to;
     }
     const Rgb sum = sum_of(sums);
     const Vec3 vector = sum_of(vectors);
@@ -107,12 +117,9 @@ Rgb unoccluded_irradiance(const Solution& solution, const ClusterPoints& cluster
     const WideVec3 at(x), up(n);
     WideVec3 sums;
     for (std::size_t i = 0; i < kClusterPoints; i += kLanes) {
-        const WideVec3 to = WideVec3(load(&faces.x[i]), load(&faces.y[i]), load(&faces.z[i])) - at;
-        const WideVec3 normal(load(&faces.normal_x[i]), load(&faces.normal_y[i]), load(&faces.normal_z[i]));
-        const Wide square = max(dot(to, to), Wide(1e-30F));
-        const Wide cosines = max(Wide(0), dot(up, to)) * max(Wide(0), Wide(-dot(normal, to)));
-        const Wide factor = cosines / (square * (square + cluster_disk(node) / kPi));
-        sums = sums + factor * WideVec3(load(&faces.red[i]), load(&faces.green[i]), load(&faces.blue[i]));
+        const FacesFrom seen(faces, i, at);
+        const Wide cosines = max(Wide(0), dot(up, seen.to)) * max(Wide(0), Wide(-dot(seen.normal, seen.to)));
+        sums = sums + cosines / (seen.square * (seen.square + cluster_disk(node) / kPi)) * seen.power;
     }
     return sum_of(sums);
 }
