@@ -134,8 +134,7 @@ SenderGroup::Seen SenderGroup::see_point(const Block& block) const {
     return {to, light * max(Wide(0), Wide(dot(block.n, to) / distance))};
 }
 
-SenderGroup::Seen SenderGroup::see_distant(std::uint32_t index, const Block& block) const {
-    const SenderPlace place = sampler_->place(index);
+SenderGroup::Seen SenderGroup::see_distant(const SenderPlace& place, const Block& block) {
     const WideVec3 direction(place.target);
     return {direction, place.light * max(Wide(0), dot(block.n, direction))};
 }
@@ -167,12 +166,12 @@ SenderGroup::Lit SenderGroup::light_of_element(const Block& block) const {
 }
 
 SenderGroup::Lit SenderGroup::light_of_rectangle(const Block& block) const {
-    const Vec3 x = lamp_->half_x, y = lamp_->half_y, middle = lamp_->position;
-    const WideMask front = dot(block.x - WideVec3(middle), WideVec3(lamp_->direction)) > 0;
+    const std::array<Vec3, 4> corners = rectangle_corners(*lamp_);
+    const WideMask front = dot(block.x - WideVec3(lamp_->position), WideVec3(lamp_->direction)) > 0;
     WideMask clipped;
     Lit lit;
-    Wide factor = points_to_triangle(block.x, block.n, {middle - x - y, middle + x - y, middle + x + y}, lit.clipped);
-    factor += points_to_triangle(block.x, block.n, {middle - x - y, middle + x + y, middle - x + y}, clipped);
+    Wide factor = points_to_triangle(block.x, block.n, {corners[0], corners[1], corners[2]}, lit.clipped);
+    factor += points_to_triangle(block.x, block.n, {corners[0], corners[2], corners[3]}, clipped);
     lit.clipped = front && (lit.clipped || clipped);
     lit.light = select(front, factor, 0) * WideVec3(kPi * lamp_->radiance);
     return lit;
@@ -222,7 +221,7 @@ void SenderGroup::see(std::uint32_t index, GroupPoint& out) const {
         } else {
             seen = lamp_->shape == LampShape::kSphere  ? see_sphere(disk, block)
                    : lamp_->shape == LampShape::kPoint ? see_point(block)
-                                                       : see_distant(index, block);
+                                                       : see_distant(place, block);
         }
         const std::size_t first = b * kLanes;
         seen.direction.x.copy_to(&out.x[first], std::experimental::element_aligned);

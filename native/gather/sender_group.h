@@ -73,7 +73,7 @@ class SenderGroup {
     [[nodiscard]] Seen see_rectangle(Vec2 place, const Block& block) const;
     [[nodiscard]] Seen see_sphere(Vec2 disk, const Block& block) const;
     [[nodiscard]] Seen see_point(const Block& block) const;
-    [[nodiscard]] Seen see_distant(std::uint32_t index, const Block& block) const;
+    [[nodiscard]] static Seen see_distant(const SenderPlace& place, const Block& block);
 
     const Solution& solution_;
     const ClusterPoints& clusters_;

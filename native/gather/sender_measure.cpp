@@ -68,11 +68,11 @@ WideVec3 SenderMeter::vectors_of_element(const Block& block) const {
 }
 
 WideVec3 SenderMeter::vectors_of_rectangle(const Lamp& lamp, const Block& block) {
-    const Vec3 x = lamp.half_x, y = lamp.half_y, middle = lamp.position;
-    const WideMask front = dot(block.position - WideVec3(middle), WideVec3(lamp.direction)) > 0;
+    const std::array<Vec3, 4> corners = rectangle_corners(lamp);
+    const WideMask front = dot(block.position - WideVec3(lamp.position), WideVec3(lamp.direction)) > 0;
     return select(front,
-                  vectors_to_triangle(block.position, {middle - x - y, middle + x - y, middle + x + y}) +
-                      vectors_to_triangle(block.position, {middle - x - y, middle + x + y, middle - x + y}),
+                  vectors_to_triangle(block.position, {corners[0], corners[1], corners[2]}) +
+                      vectors_to_triangle(block.position, {corners[0], corners[2], corners[3]}),
                   WideVec3());
 }
 

@@ -1,5 +1,6 @@
 #include "transport/emitter_sampling.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/random.h"
@@ -78,11 +79,9 @@ struct Outline {
 Outline outline(const Lamp& lamp) {
     Outline result;
     if (lamp.shape == LampShape::kRectangle) {
-        const Vec3 x = lamp.half_x;
-        const Vec3 y = lamp.half_y;
-        const Vec3 c = lamp.position;
-        result.corners = {c - x - y, c + x - y, c + x + y, c - x + y};
-        result.count = 4;
+        const std::array<Vec3, 4> corners = rectangle_corners(lamp);
+        std::copy(corners.begin(), corners.end(), result.corners.begin());
+        result.count = corners.size();
         return result;
     }
     result.count = result.corners.size();
@@ -110,6 +109,11 @@ IrradianceVector flat_irradiance(const Lamp& lamp, Vec3 x) {
 }
 
 }  // namespace
+
+std::array<Vec3, 4> rectangle_corners(const Lamp& lamp) {
+    const Vec3 x = lamp.half_x, y = lamp.half_y, c = lamp.position;
+    return {c - x - y, c + x - y, c + x + y, c - x + y};
+}
 
 Vec3 flat_point(const Lamp& lamp, float u, float v) {
     const Vec2 local = lamp.shape == LampShape::kEllipse ? square_to_disk(u, v) : Vec2(2 * u - 1, 2 * v - 1);

@@ -1,6 +1,7 @@
 // Lamps as senders: their unoccluded irradiance in closed form, and points on them for visibility rays.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "core/vec.h"
@@ -28,6 +29,9 @@ struct LampSample {
 // zero). A receiver inside a sphere counts as lying on its surface.
 // far: half diagonals from which rectangles are sampled by area, which is faster; at 50 nothing shows.
 [[nodiscard]] LampSample sample_lamp(const Lamp& lamp, Vec3 x, float u, float v, float far = 50);
+
+// Of a rectangle, in order around it.
+[[nodiscard]] std::array<Vec3, 4> rectangle_corners(const Lamp& lamp);
 
 // Rectangles and ellipses: the point of (u, v), even in area, and the area of all [m2].
 [[nodiscard]] Vec3 flat_point(const Lamp& lamp, float u, float v);

@@ -4,61 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "transport/fast_angle.h"
+#include "transport/triangle_terms.h"
 
 namespace gg {
 namespace {
-
-template <typename T>
-inline constexpr T kPiOf = static_cast<T>(3.14159265358979323846);
-
-// The contour sum subtracts numbers near 1 and has no digits left for small polygons far away: there, cubature over
-// the area takes over. Value: (largest extent / smallest distance)^2 at which both errors are about equal; measured.
-template <typename T>
-inline constexpr T kSmallPolygon = std::is_same_v<T, float> ? T(1e-2) : T(1e-6);
-
-// Share of the largest coordinate that rounding may have moved a point by.
-template <typename T>
-inline constexpr T kRounding = 16 * std::numeric_limits<T>::epsilon();
-
-template <typename V>
-using Scalar = typename V::value_type;
-
-template <typename V>
-Scalar<V> largest_coordinate(V v) {
-    return std::max(std::abs(v.x), std::max(std::abs(v.y), std::abs(v.z)));
-}
-
-// What the lanes hold.
-template <typename T>
-using Number = std::conditional_t<std::is_same_v<T, Wide>, float, T>;
-
-// theta Gamma of the edge a-b as seen from the origin; zero when the origin lies on the edge's line.
-template <typename V>
-V edge_term(const V& a, const V& b) {
-    using T = Scalar<V>;
-    const V normal = cross(a, b);
-    const T sine_squared = dot(normal, normal);
-    constexpr auto tolerance = 4 * std::numeric_limits<Number<T>>::epsilon();
-    const auto apart = sine_squared > tolerance * tolerance * dot(a, a) * dot(b, b);
-    const T sine = sqrt(select(apart, sine_squared, T(1)));
-    return select(apart, T(fast_angle(sine, dot(a, b)) / sine), T(0)) * normal;
-}
-
-// Integral of |cos_y| m / (pi |m|^3) over a small triangle as seen from the origin, for its dot product with n to be
-// the form factor: edge midpoints, exact for quadratic integrands. Signed by the winding.
-template <typename V>
-V small_triangle(const V& a, const V& b, const V& c) {
-    using T = Scalar<V>;
-    V sum{};
-    for (const V& doubled : {V(a + b), V(b + c), V(c + a)}) {
-        const T squared = dot(doubled, doubled);
-        sum = sum + T(T(1) / (squared * squared)) * doubled;
-    }
-    // Midpoints are half of `doubled`: (1/2) / (1/2)^4 = 8. The area is half of the cross product, the weights 1/3.
-    constexpr auto factor = static_cast<Number<T>>(8 / (6 * kPiOf<double>));
-    return T(dot(a, cross(V(b - a), V(c - a))) * factor) * sum;
-}
 
 // What is known of a polygon before its integral: where its plane lies and whether it is small.
 template <typename T>
@@ -158,32 +107,6 @@ T unit_clamp(T value) {
     return std::clamp(value, T(0), T(1));
 }
 
-// Of the lanes that are wanted.
-inline WideVec3 vectors_in(const WideVec3& x, const std::array<Vec3, 3>& triangle, WideMask wanted) {
-    const std::array<WideVec3, 3> sights{WideVec3(triangle[0]) - x, WideVec3(triangle[1]) - x,
-                                         WideVec3(triangle[2]) - x};
-    // As in view_polygon().
-    const Vec3 b = triangle[1] - triangle[0], c = triangle[2] - triangle[0];
-    const Vec3 doubled_area = cross(b, c);
-    const Wide side = dot(WideVec3(doubled_area), sights[0]);
-    Wide coordinate = max(abs(x.x), max(abs(x.y), abs(x.z)));
-    for (const Vec3& corner : triangle) {
-        coordinate = max(coordinate, Wide(largest_coordinate(corner)));
-    }
-    const WideMask seen = wanted && abs(side) > kRounding<float> * coordinate * length(doubled_area);
-    const Wide nearest = min(dot(sights[0], sights[0]), min(dot(sights[1], sights[1]), dot(sights[2], sights[2])));
-    const WideMask small = std::max(dot(b, b), dot(c, c)) < kSmallPolygon<float> * nearest;
-    WideVec3 far, near;
-    if (any_of(seen && small)) {
-        far = small_triangle(sights[0], sights[1], sights[2]);
-    }
-    if (any_of(seen && !small)) {
-        near = Wide(1 / (2 * kPi)) *
-               (edge_term(sights[0], sights[1]) + edge_term(sights[1], sights[2]) + edge_term(sights[2], sights[0]));
-    }
-    return select(side > 0, Wide(1), Wide(-1)) * select(seen, select(small, far, near), WideVec3());
-}
-
 }  // namespace
 
 template <typename V>
@@ -258,22 +181,6 @@ typename V::value_type point_to_triangle(V x, V n, V a, V b, V c) {
         sum += glm::dot(n, edge_term(clipped.corners[i], clipped.corners[i + 1 == clipped.count ? 0 : i + 1]));
     }
     return unit_clamp(std::abs(sum) / (2 * kPiOf<T>));
-}
-
-WideVec3 vectors_to_triangle(const WideVec3& x, const std::array<Vec3, 3>& triangle) {
-    return vectors_in(x, triangle, WideMask(true));
-}
-
-Wide points_to_triangle(const WideVec3& x, const WideVec3& n, const std::array<Vec3, 3>& triangle, WideMask& clipped) {
-    Wide lowest = kInfinity, highest = -kInfinity;
-    for (const Vec3& corner : triangle) {
-        const Wide height = dot(n, WideVec3(corner) - x);
-        lowest = min(lowest, height);
-        highest = max(highest, height);
-    }
-    const WideMask above = lowest > 0;
-    clipped = highest > 0 && !above;
-    return any_of(above) ? clamp(dot(n, vectors_in(x, triangle, above)), Wide(0), Wide(1)) : Wide(0);
 }
 
 template <typename V>
