@@ -46,6 +46,7 @@ class Classifier {
         float visibility = 0;                               // 0..1
         float form_factor_error = 0, visibility_error = 0;  // W/m2
         bool resample_form_factor = false, resample_visibility = false;
+        bool mixed = false;  // some of its rays arrive
     };
 
     [[nodiscard]] float bound(NodeId sender, const Box& box) const;

@@ -45,7 +45,7 @@ struct PixelCounts {
 
 struct LitTile {
     TileLight light;
-    std::vector<Rgb> near;           // PointLight::near of every fragment
+    std::vector<Rgb> soft;           // PointLight::soft of every fragment
     std::vector<PixelCounts> taken;  // per pixel
 };
 
@@ -66,7 +66,7 @@ class TileLighter {
         }
         for (const PointLight& of_fragment : light) {
             lit_.light.push_back(of_fragment.all);
-            lit_.near.push_back(of_fragment.near);
+            lit_.soft.push_back(of_fragment.soft);
         }
         for (std::size_t p = 0; p < tile_.pixels.size(); ++p) {
             for (std::uint32_t f = tile_.begin_of(p); f < tile_.pixels[p].end; ++f) {
@@ -110,7 +110,7 @@ class TileLighter {
         light_.resize(own_.size());
         taken_.resize(own_.size());
         const std::uint32_t whole = tile_.begin_of(of.pixel) + of.fragment;
-        gatherer_.shade_parts(tile_.fragments[whole], lit_.near[whole], own_, light_, taken_);
+        gatherer_.shade_parts(tile_.fragments[whole], lit_.soft[whole], own_, light_, taken_);
         Rgb reflected(0.0F), albedo(0.0F), least(kInfinity), most(0.0F);
         for (std::size_t i = 0; i < own_.size(); ++i) {
             reflected += own_[i].albedo * light_[i].all;

@@ -25,8 +25,8 @@ class Gatherer {
     virtual void shade(std::span<const Fragment> fragments, std::span<PointLight> light,
                        std::span<PointCounts> taken) = 0;
     // The same for parts of a fragment that has been shaded: what is known of the light around it does for them, too,
-    // though they may lie where nothing else was seen. near: of that fragment.
-    virtual void shade_parts(const Fragment& whole, Rgb near, std::span<const Fragment> parts,
+    // though they may lie where nothing else was seen. soft: of that fragment.
+    virtual void shade_parts(const Fragment& whole, Rgb soft, std::span<const Fragment> parts,
                              std::span<PointLight> light, std::span<PointCounts> taken) = 0;
     [[nodiscard]] virtual const GatherCounts& counts() const = 0;  // of all that it did
     // The cell of the grid that a fragment lies in, 0 without a grid.

@@ -80,13 +80,13 @@ class SiteGatherer : public Gatherer {
         }
         shader_.shade(placed_, light, taken);
     }
-    void shade_parts(const Fragment& whole, Rgb near, std::span<const Fragment> parts, std::span<PointLight> light,
+    void shade_parts(const Fragment& whole, Rgb soft, std::span<const Fragment> parts, std::span<PointLight> light,
                      std::span<PointCounts> taken) override {
         placed_.clear();
         for (const Fragment& at : parts) {
             placed_.push_back(placed(has_all_sites(at) ? at : whole));
             placed_.back().at = at;
-            placed_.back().near = near;
+            placed_.back().soft = soft;
         }
         shader_.shade(placed_, light, taken);
     }

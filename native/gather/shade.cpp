@@ -18,8 +18,15 @@ constexpr float kSmallShare = 0.3F;       // of a pixel, for which one of two di
 Shader::Shader(const Solution& solution, const NodeOrder& order, const ClusterPoints& points, const RayTracer& tracer)
     : solution_(solution), tracer_(tracer), surroundings_(solution, order, tracer), group_(solution, points) {}
 
-// Adds the union of the sites' senders to the tasks.
-void Shader::plan(std::span<const WeightedSite> sites) {
+// Whether its light belongs to PointLight::soft.
+bool Shader::is_soft(NodeId sender) const {
+    const Node& node = hierarchy_of(solution_)[sender];
+    return node.kind != NodeKind::kLamp && node.emission == Rgb(0.0F);
+}
+
+// Adds the union of the sites' senders to the tasks, but for what is known.
+void Shader::plan(const PlacedFragment& fragment) {
+    const auto sites = fragment.sites();
     std::array<std::uint32_t, SitePlace::kMost> next{};
     std::array<std::uint32_t, SitePlace::kMost> heads{};
     const auto move_to = [&](std::size_t i, std::uint32_t place) {
@@ -47,7 +54,9 @@ void Shader::plan(std::span<const WeightedSite> sites) {
             }
         }
         task.expected /= std::max(resampled, 1e-30F);
-        tasks_.push_back(task);
+        if (!fragment.soft || !is_soft(sender)) {
+            tasks_.push_back(task);
+        }
     });
 }
 
@@ -68,14 +77,21 @@ void Shader::trace() {
     }
 }
 
-Rgb Shader::light_of_models(const PlacedFragment& fragment, const Point& point, const TableCosines& cosines) const {
+// Without what is near.
+PointLight Shader::light_of_models(const PlacedFragment& fragment, const Point& point,
+                                   const TableCosines& cosines) const {
     const Vec3 normal = fragment.at.shading_normal;
-    Rgb sum(0.0F);
+    PointLight sum;
     for (const WeightedSite& weighted : fragment.sites()) {
         const Site& site = *weighted.site;
         Rgb light = light_of(site.beams, normal) + light_of(site.table, cosines);
+        Rgb soft(0.0F);
         std::size_t k = point.first_task;
         for (const SiteSender& model : site.senders) {
+            const bool is_part_of_soft = is_soft(model.sender);
+            if (is_part_of_soft && fragment.soft) {
+                continue;
+            }
             while (tasks_[k].sender != model.sender) {
                 ++k;
             }
@@ -83,9 +99,11 @@ Rgb Shader::light_of_models(const PlacedFragment& fragment, const Point& point, 
             const Rgb unoccluded = model.resample_form_factor
                                        ? task.unoccluded
                                        : std::max(0.0F, dot(normal, model.direction)) * model.irradiance;
-            light += (model.resample_visibility ? task.visible() : model.visibility) * unoccluded;
+            (is_part_of_soft ? soft : light) +=
+                (model.resample_visibility ? task.visible() : model.visibility) * unoccluded;
         }
-        sum += weighted.weight * light;
+        sum.all += weighted.weight * light;
+        sum.soft += weighted.weight * soft;
     }
     return sum;
 }
@@ -94,8 +112,8 @@ void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
     near_.clear();
     for (std::size_t p = 0; p < fragments.size(); ++p) {
         near_.push_back({points_[p].x, fragments[p].at.normal, {}, 0});
-        if (fragments[p].near) {
-            points_[p].light.near = *fragments[p].near;
+        if (fragments[p].soft) {
+            points_[p].light.soft = *fragments[p].soft;
             continue;
         }
         for (const WeightedSite& weighted : fragments[p].sites()) {
@@ -121,7 +139,7 @@ void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
             const Rgb light = holds(site.apart, met.rank) ? Rgb(0.0F) : kTableSolidAngle * met.radiance;
             const auto replace = [&](std::uint32_t cell) {
                 if (site.near_cells[cell]) {
-                    points_[met.point].light.near +=
+                    points_[met.point].light.soft +=
                         near * cosines_[met.point].of[cell] * (light - site.table.at(cell));
                 }
             };
@@ -146,7 +164,7 @@ void Shader::shade(std::span<const PlacedFragment> fragments, std::span<PointLig
         // A pixel has about as many for all of its fragments as for one.
         point.share_of_samples = std::pow(fragment.at.share, kShareOfSamples);
         point.first_task = static_cast<std::uint32_t>(tasks_.size());
-        plan(fragment.sites());
+        plan(fragment);
         point.end_task = static_cast<std::uint32_t>(tasks_.size());
         point.taken.on_surface = fragment.on_surface;
         point.taken.senders = point.end_task - point.first_task;
@@ -157,12 +175,14 @@ void Shader::shade(std::span<const PlacedFragment> fragments, std::span<PointLig
     look_at_senders(fragments);
     trace();
     for (std::size_t p = 0; p < fragments.size(); ++p) {
-        points_[p].light.all += light_of_models(fragments[p], points_[p], cosines_[p]);
+        const PointLight light_here = light_of_models(fragments[p], points_[p], cosines_[p]);
+        points_[p].light.all += light_here.all;
+        points_[p].light.soft += light_here.soft;
     }
     add_near_light(fragments);
     for (std::size_t p = 0; p < fragments.size(); ++p) {
         light[p] = points_[p].light;
-        light[p].all += light[p].near;
+        light[p].all += light[p].soft;
         taken[p] = points_[p].taken;
         counts_.form_factors += taken[p].form_factors;
         counts_.on_surface += taken[p].on_surface;

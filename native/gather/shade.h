@@ -28,7 +28,7 @@ struct PlacedFragment {
     std::array<WeightedSite, SitePlace::kMost> around;
     std::uint32_t count = 0;                 // of sites
     float on_surface = 0;                    // weight of those on the fragment's surface
-    std::optional<Rgb> near = std::nullopt;  // if it is known: PointLight::near
+    std::optional<Rgb> soft = std::nullopt;  // if it is known: PointLight::soft
 
     [[nodiscard]] std::span<const WeightedSite> sites() const { return std::span(around).first(count); }
 };
@@ -36,7 +36,9 @@ struct PlacedFragment {
 // Irradiance, W/m2.
 struct PointLight {
     Rgb all{0.0F};
-    Rgb near{0.0F};  // part of it: what surfaces close by bring beyond what tables say of their directions
+    // Part of it: from surfaces that do not glow, beyond what tables say of their directions. It casts no shadows that
+    // are sharp enough to change within a pixel.
+    Rgb soft{0.0F};
 };
 
 // Shades points, several at a time: where they lie together, so do their rays. For one thread.
@@ -87,15 +89,16 @@ class Shader {
         [[nodiscard]] std::uint32_t count() const { return whole + (of_last > 0 ? 1 : 0); }
     };
 
-    void plan(std::span<const WeightedSite> sites);
+    [[nodiscard]] bool is_soft(NodeId sender) const;
+    void plan(const PlacedFragment& fragment);
     void add_ray(RayOwner owner, Vec3 direction, float far);
     void add_sky_rays(std::span<const PlacedFragment> fragments);
     void look_at_senders(std::span<const PlacedFragment> fragments);
     void work_out_form_factors();
     void add_rays(std::span<const PlacedFragment> fragments);
     void trace();
-    [[nodiscard]] Rgb light_of_models(const PlacedFragment& fragment, const Point& point,
-                                      const TableCosines& cosines) const;
+    [[nodiscard]] PointLight light_of_models(const PlacedFragment& fragment, const Point& point,
+                                             const TableCosines& cosines) const;
     void add_near_light(std::span<const PlacedFragment> fragments);
 
     const Solution& solution_;
