@@ -23,7 +23,7 @@ constexpr float kDarkest = 0.1F;       // of the mean radiosity: darker places t
 constexpr float kFewestSamples = 0.75F, kMostSamples = 4;  // by brightness
 constexpr float kSettled = 0.1F;  // share of the tolerance from which a sender is looked at closely
 constexpr float kLeastSamples = 1;
-constexpr float kUnmixed = 0.25F;  // share of the samples of a sender that all or none of its rays met
+constexpr float kUnmixed = 0.25F;   // share of the samples of a sender that all or none of its rays met
 constexpr float kFullReach = 0.7F;  // share of the reach within which everything is near
 
 // Whether all of a box lies on the back of a plane.
@@ -212,8 +212,8 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
             counts_.only_form_factor += !candidate.resample_visibility;
             const float importance = luminance(candidate.brings.irradiance) / all;  // [eq. 1]
             site.senders.push_back({candidate.cut.sender, candidate.resample_form_factor, candidate.resample_visibility,
-                                    std::max(kLeastSamples, (candidate.mixed ? 1 : kUnmixed) * samples * importance), candidate.visibility,
-                                    candidate.brings.irradiance, candidate.brings.direction});
+                                    std::max(kLeastSamples, (candidate.mixed ? 1 : kUnmixed) * samples * importance),
+                                    candidate.visibility, candidate.brings.irradiance, candidate.brings.direction});
         } else if (lamp) {
             site.beams.push_back({candidate.brings.direction, candidate.visibility * candidate.brings.irradiance});
         }
