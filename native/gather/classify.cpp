@@ -105,7 +105,7 @@ void Classifier::judge(Candidate& candidate, float irradiance, float tolerance) 
     if (seen == 0 && !lamp) {
         return;  // rays in all directions will find what little can be seen of it
     }
-    candidate.mixed = seen > 0 && seen < candidate.ray_count;
+    candidate.mixed = v > 0 && v < 1;
     // That all rays said the same is no proof.
     const float doubt = 1 / (count + 2);
     candidate.resample_visibility = (candidate.mixed ? 1 : doubt) * brings > tolerance;

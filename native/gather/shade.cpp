@@ -62,7 +62,13 @@ void Shader::plan(const PlacedFragment& fragment) {
 
 void Shader::trace() {
     blocked_.resize(rays_.size());
-    tracer_.occluded(rays_, blocked_, RayMask::kLight, Coherence::kCoherent);
+    // Those to the sky are parallel, and most reach it. Those to senders part.
+    const auto trace = [&](std::size_t begin, std::size_t end, Coherence coherence) {
+        tracer_.occluded(std::span(rays_).subspan(begin, end - begin), std::span(blocked_).subspan(begin, end - begin),
+                         RayMask::kLight, coherence);
+    };
+    trace(0, sky_rays_, Coherence::kCoherent);
+    trace(sky_rays_, rays_.size(), Coherence::kIncoherent);
     const Rgb world = hierarchy_of(solution_).scene().world;
     for (const RayOwner& owner : owners_) {
         ++points_[owner.point].taken.visibility_rays;

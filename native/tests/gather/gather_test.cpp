@@ -144,6 +144,33 @@ TEST(GridGatherTest, points_together_have_the_light_they_have_alone) {
     }
 }
 
+// What is known of a whole fragment stands for its part: all of the light is as before, and senders that are not asked
+// again take no rays.
+TEST(GridGatherTest, soft_light_that_is_known_is_not_worked_out_again) {
+    Gathered room(lamp_room(0.5F));
+    Classifier classifier = room.classifier(0.003F);
+    Shader shader = room.shader();
+    for (std::uint32_t wall = 0; wall < 6; ++wall) {
+        const Fragment at = fragment_at(room.prepared.scene, wall, 0, {0.3F, 0.4F});
+        const Receiver receiver = receiver_at(*room.solution, at);
+        const Site site = classifier.classify(std::span(&receiver, 1));
+        PlacedFragment placed{at, {WeightedSite{&site, 1}}, 1};
+        const auto shade = [&](PointCounts& taken) {
+            PointLight light;
+            shader.shade(std::span(&placed, 1), std::span(&light, 1), std::span(&taken, 1));
+            return light;
+        };
+        PointCounts whole_took, part_took;
+        const PointLight whole = shade(whole_took);
+        EXPECT_GT(luminance(whole.soft), 0.02F * luminance(whole.all)) << wall;
+        placed.soft = 3.0F * whole.soft;
+        const PointLight part = shade(part_took);
+        EXPECT_NEAR(luminance(part.all), luminance(whole.all + 2.0F * whole.soft), 1e-4F) << wall;
+        EXPECT_EQ(part.soft, placed.soft) << wall;
+        EXPECT_LT(part_took.visibility_rays, 0.7F * static_cast<float>(whole_took.visibility_rays)) << wall;
+    }
+}
+
 // From one site to another: both ends are the sites' own models, and no step is a jump.
 TEST(GridGatherTest, blends_are_continuous) {
     Gathered room(lamp_room(0.5F));
