@@ -27,6 +27,9 @@ def parse(arguments):
     parser.add_argument("--method", help="scene.gridgather.method")
     parser.add_argument("--quality", type=float, help="scene.gridgather.quality")
     parser.add_argument("--threshold", type=float, help="scene.gridgather.threshold")
+    parser.add_argument("--noticeable", type=float, help="scene.gridgather.noticeable, with use_perception")
+    parser.add_argument("--no-masking", dest="use_masking", action="store_false", default=None,
+                        help="leave scene.gridgather.use_masking out")
     parser.add_argument("--gather-samples", type=int, help="scene.gridgather.gather_samples")
     parser.add_argument("--cell-size", type=float, help="scene.gridgather.cell_size")
     parser.add_argument("--samples", type=int, help="samples a pixel")
@@ -39,9 +42,10 @@ def output_stem(options):
     """Path of the products without their suffix; it names every option that changes the picture."""
     parts = [options.scene, options.engine, options.preset, options.method]
     parts += [f"{letter}{value}" for letter, value in (("q", options.quality), ("t", options.threshold),
+                                                       ("j", options.noticeable),
                                                        ("g", options.gather_samples), ("c", options.cell_size),
                                                        ("s", options.samples)) if value]
-    parts += [options.size, f"{options.percent}pc" if options.percent != 100 else None]
+    parts += ["unmasked" if options.use_masking is False else None, options.size, f"{options.percent}pc" if options.percent != 100 else None]
     return options.out.absolute() / "-".join(str(part).lower() for part in parts if part)
 
 

@@ -119,6 +119,19 @@ class Camera:
 
 
 @dataclass
+class Display:
+    config: str = ""  # path; "": sRGB
+    device: str = ""
+    view: str = ""
+    look: str = ""
+    exposure: float = 0.0  # stops
+    gamma: float = 1.0
+    white: float = 100.0  # cd/m2
+    black: float = 0.2  # cd/m2
+    pixels_per_degree: float = 40.0
+
+
+@dataclass
 class Settings:
     width: int
     height: int
@@ -138,6 +151,9 @@ class Settings:
     cell_size: float = 20.0
     threshold: float = 0.03
     gather_samples: int = 512
+    display: Display | None = None  # on which errors are judged; None: by `threshold`
+    noticeable: float = 0.25
+    use_masking: bool = False
 
 
 @dataclass

@@ -4,7 +4,7 @@ import ctypes
 import os
 from ctypes import POINTER, c_char, c_char_p, c_float, c_int, c_int32, c_uint32, c_uint64, c_void_p
 
-INTERFACE_VERSION = 3
+INTERFACE_VERSION = 4
 LIBRARY_PATH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "libgridgather.so")
 
 OK, CANCELLED = 0, 1
@@ -93,6 +93,20 @@ class Camera(ctypes.Structure):
     ]
 
 
+class Display(ctypes.Structure):
+    _fields_ = [
+        ("config", c_char_p),
+        ("device", c_char_p),
+        ("view", c_char_p),
+        ("look", c_char_p),
+        ("exposure", c_float),
+        ("gamma", c_float),
+        ("white", c_float),
+        ("black", c_float),
+        ("pixels_per_degree", c_float),
+    ]
+
+
 class Settings(ctypes.Structure):
     _fields_ = [
         ("method", c_int32),
@@ -113,6 +127,9 @@ class Settings(ctypes.Structure):
         ("cell_size", c_float),
         ("threshold", c_float),
         ("gather_samples", c_uint32),
+        ("display", POINTER(Display)),
+        ("noticeable", c_float),
+        ("use_masking", c_int32),
     ]
 
 
@@ -152,6 +169,7 @@ _SIGNATURES = {
     "gg_scene_add_light": (c_int, [c_void_p, POINTER(Light)]),
     "gg_scene_set_world": (c_int, [c_void_p, _floats]),
     "gg_scene_add_message": (c_int, [c_void_p, c_char_p, c_char_p]),
+    "gg_display_encode": (c_int, [POINTER(Display), _floats, c_uint64]),
     "gg_render_start": (c_int, [c_void_p, POINTER(Camera), POINTER(Settings), POINTER(c_void_p)]),
     "gg_render_poll": (c_int, [c_void_p, POINTER(Progress)]),
     "gg_render_wait": (c_int, [c_void_p, c_float]),

@@ -70,6 +70,23 @@ class GRIDGATHER_PT_settings(_RenderPanel, Panel):
         layout.prop(context.scene.render, "film_transparent", text="Transparent Film")
 
 
+class GRIDGATHER_PT_perception(_RenderPanel, Panel):
+    bl_label = "Judge as Shown"
+    bl_parent_id = "GRIDGATHER_PT_settings"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw_header(self, context):
+        self.layout.prop(context.scene.gridgather, "use_perception", text="")
+
+    def draw(self, context):
+        layout = _split_layout(self)
+        settings = context.scene.gridgather
+        layout.active = settings.use_perception and settings.method == "GATHER"
+        for name in ("noticeable", "use_masking", "display_white", "display_black", "viewing_distance"):
+            layout.prop(settings, name)
+        layout.prop(settings, "display_density")
+
+
 class GRIDGATHER_PT_gather(_RenderPanel, Panel):
     bl_label = "Final Gather"
     bl_parent_id = "GRIDGATHER_PT_settings"
@@ -122,6 +139,7 @@ class GridgatherPreferences(bpy.types.AddonPreferences):
 
 _classes = [
     GRIDGATHER_PT_settings,
+    GRIDGATHER_PT_perception,
     GRIDGATHER_PT_gather,
     GRIDGATHER_PT_diagnostic_passes,
     GRIDGATHER_PT_messages,

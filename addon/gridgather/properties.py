@@ -85,6 +85,63 @@ class GridgatherSettings(bpy.types.PropertyGroup):
         max=4096,
         description="Rays from a point to senders that are worked out anew, about: smoothness of shadows",
     )
+    use_perception: BoolProperty(
+        name="Judge as Shown",
+        default=False,
+        description="Judge errors as they show on a display, through the scene's view transform, instead of as a share "
+        "of the light: dark places have fewer rays",
+    )
+    noticeable: FloatProperty(
+        name="Noticeable",
+        default=0.25,
+        min=0.01,
+        max=100.0,
+        soft_max=2.0,
+        description="Error that the light of one sender may have before it is worked out anew at every point, in just "
+        "noticeable differences. Lower is slower",
+    )
+    use_masking: BoolProperty(
+        name="Masking",
+        default=True,
+        description="Allow larger errors where textures, leaves and edges hide them",
+    )
+    display_white: FloatProperty(
+        name="White",
+        default=100.0,
+        min=0.001,
+        max=1e6,
+        soft_min=50.0,
+        soft_max=1000.0,
+        description="Luminance of the display's white, cd/m2",
+    )
+    display_black: FloatProperty(
+        name="Black",
+        default=0.2,
+        min=0.0,
+        max=1e6,
+        soft_max=5.0,
+        description="Luminance of the display's black in a lit room, cd/m2",
+    )
+    viewing_distance: FloatProperty(
+        name="Distance",
+        default=0.6,
+        min=0.05,
+        max=100.0,
+        soft_max=3.0,
+        subtype="DISTANCE",
+        unit="LENGTH",
+        description="From the eye to the display",
+    )
+    display_density: FloatProperty(
+        name="Pixels per Inch",
+        default=96.0,
+        min=5.0,
+        max=2000.0,
+        soft_min=50.0,
+        soft_max=300.0,
+        precision=0,
+        description="Of the display",
+    )
     cell_size: FloatProperty(
         name="Cell Size",
         default=_STANDARD["cell_size"],

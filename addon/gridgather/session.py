@@ -6,7 +6,7 @@ import json
 import numpy as np
 
 from . import interface
-from .description import Camera, Settings
+from .description import Camera, Display, Settings
 
 
 class SessionError(Exception):
@@ -36,6 +36,32 @@ class _Handle:
         """Raises SessionError for a status that is not OK."""
         if status != interface.OK:
             raise SessionError(self.library.gg_last_error().decode("utf-8", "replace"))
+
+
+def _native_display(display: Display) -> interface.Display:
+    return interface.Display(
+        *(text.encode() for text in (display.config, display.device, display.view, display.look)),
+        display.exposure,
+        display.gamma,
+        display.white,
+        display.black,
+        display.pixels_per_degree,
+    )
+
+
+def encode_for_display(display: Display, pixels: np.ndarray) -> np.ndarray:
+    """What the display gets, 0..1, for scene-linear pixels, float32 (..., 3). Raises SessionError if the configuration
+    cannot be used."""
+    encoded = np.array(pixels, np.float32, order="C")
+    library = interface.load()
+    status = library.gg_display_encode(
+        ctypes.byref(_native_display(display)),
+        encoded.ctypes.data_as(ctypes.POINTER(ctypes.c_float)),
+        encoded.size // 3,
+    )
+    if status != interface.OK:
+        raise SessionError(library.gg_last_error().decode("utf-8", "replace"))
+    return encoded
 
 
 class Scene(_Handle):
@@ -71,6 +97,7 @@ class Render(_Handle):
             clip_start=camera.clip_start,
             clip_end=camera.clip_end,
         )
+        display = _native_display(settings.display) if settings.display else None
         native_settings = interface.Settings(
             method=settings.method,
             width=settings.width,
@@ -90,6 +117,9 @@ class Render(_Handle):
             cell_size=settings.cell_size,
             threshold=settings.threshold,
             gather_samples=settings.gather_samples,
+            display=ctypes.pointer(display) if display else None,
+            noticeable=settings.noticeable,
+            use_masking=int(settings.use_masking),
         )
         self.check(
             self.library.gg_render_start(

@@ -11,10 +11,6 @@ namespace {
 
 constexpr std::uint32_t kLargestImage = 1U << 16;
 
-std::string text(const char* value) {
-    return value != nullptr ? value : "";
-}
-
 void require_finite(const float* values, std::size_t count, const char* what) {
     require(std::all_of(values, values + count, [](float value) { return std::isfinite(value); }), what);
 }
@@ -53,6 +49,10 @@ std::vector<T> copy_vectors(const float* values, std::size_t count) {
 }
 
 }  // namespace
+
+std::string text(const char* value) {
+    return value != nullptr ? value : "";
+}
 
 Affine convert_matrix(const float* m) {
     return {Mat3(Vec3(m[0], m[4], m[8]), Vec3(m[1], m[5], m[9]), Vec3(m[2], m[6], m[10])), Vec3(m[3], m[7], m[11])};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "gridgather.h"
@@ -21,6 +22,7 @@ namespace gg {
 [[nodiscard]] std::vector<std::uint32_t> convert_slots(const gg_instances& instances, std::size_t material_count);
 [[nodiscard]] Rgb convert_world(const float* radiance);
 
+[[nodiscard]] std::string text(const char* value);  // null reads as ""
 // 3x4 row-major.
 [[nodiscard]] Affine convert_matrix(const float* matrix);
 

@@ -59,7 +59,25 @@ float number(float value, float standard, float least, float most, const char* w
     return value;
 }
 
+Viewing convert_viewing(const gg_display& display) {
+    Viewing viewing;
+    viewing.white = number(display.white, viewing.white, 1e-3F, 1e6F, "the display's white is out of range");
+    viewing.black = number(display.black, 0, 0, 1e6F, "the display's black is out of range");
+    viewing.pixels_per_degree =
+        number(display.pixels_per_degree, viewing.pixels_per_degree, 1, 1e4F, "pixels_per_degree are out of range");
+    return viewing;
+}
+
 }  // namespace
+
+DisplaySettings convert_display(const gg_display& display) {
+    return {text(display.config),
+            text(display.device),
+            text(display.view),
+            text(display.look),
+            number(display.exposure, 0, -64, 64, "the display's exposure is out of range"),
+            number(display.gamma, 1, 0.01F, 100, "the display's gamma is out of range")};
+}
 
 RenderSettings convert_settings(const gg_camera* camera, const gg_settings& settings) {
     if (camera == nullptr) {
@@ -98,6 +116,12 @@ RenderSettings convert_settings(const gg_camera* camera, const gg_settings& sett
     result.gather.cell = number(settings.cell_size, standard.cell, 4, 200, "cell_size is out of range");
     result.gather.threshold = number(settings.threshold, standard.threshold, 1e-4F, 1, "threshold is out of range");
     result.gather.samples = settings.gather_samples == 0 ? standard.samples : static_cast<int>(settings.gather_samples);
+    if (settings.display != nullptr) {
+        result.display = convert_display(*settings.display);
+        result.viewing = convert_viewing(*settings.display);
+    }
+    result.noticeable = number(settings.noticeable, result.noticeable, 0.01F, 100, "noticeable is out of range");
+    result.masking = settings.use_masking != 0;
     // More threads than cores would only make TBB print a warning.
     result.threads = std::min(settings.threads, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
     return result;

@@ -1,5 +1,5 @@
 gg_layer(api
-         SOURCES convert_scene.cpp convert_settings.cpp guard.cpp processor.cpp render_api.cpp render_job.cpp
+         SOURCES convert_scene.cpp convert_settings.cpp display_api.cpp guard.cpp processor.cpp render_api.cpp render_job.cpp
                  scene_api.cpp version.cpp
          LINKS gg_render gg_core)
 # Runs before anything else may: on any x86-64.

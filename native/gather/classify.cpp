@@ -140,7 +140,7 @@ void Classifier::keep_to_budget(float tolerance) {
     }
 }
 
-Site Classifier::classify(std::span<const Receiver> receivers) {
+Site Classifier::classify(std::span<const Receiver> receivers, float threshold) {
     Box bounds;
     float irradiance = 0, radiosity = 0, reflectance = 0;
     places_.clear();
@@ -161,7 +161,9 @@ Site Classifier::classify(std::span<const Receiver> receivers) {
     Site site;
     site.reach = {kFullReach * settings_.reach * bounds.diameter(), settings_.reach * bounds.diameter()};
     site.near_cells = surroundings_.near_cells(site.reach.none);
-    const float threshold = settings_.threshold * std::max(radiosity, kDarkest * settings_.mean_radiosity);
+    if (!(threshold > 0)) {
+        threshold = settings_.threshold * std::max(radiosity, kDarkest * settings_.mean_radiosity);
+    }
     const float tolerance = threshold / std::max(reflectance, 0.02F);
     const float brightness = settings_.mean_radiosity > 0 ? radiosity / settings_.mean_radiosity : 1;
     const float samples =

@@ -31,8 +31,8 @@ class Classifier {
     Classifier(const Solution& solution, const NodeOrder& order, const ClusterPoints& points, const RayTracer& tracer,
                const ClassifySettings& settings);
 
-    // receivers: at least one.
-    [[nodiscard]] Site classify(std::span<const Receiver> receivers);
+    // receivers: at least one. threshold: error of radiosity that one sender may have [W/m2]; 0: by the settings.
+    [[nodiscard]] Site classify(std::span<const Receiver> receivers, float threshold = 0);
     [[nodiscard]] const GatherCounts& counts() const { return counts_; }
 
   private:

@@ -140,7 +140,7 @@ void FreeSpaceClassifier::add_self_links(Vec3 vertex, DirectionTable& table) {
     counts_.near_rays += surroundings_.ray_count();
 }
 
-Site FreeSpaceClassifier::classify(const FreeSpace& space) {
+Site FreeSpaceClassifier::classify(const FreeSpace& space, float threshold) {
     Box bounds;
     for (const Vec3 point : space.points) {
         bounds.extend(point);
@@ -156,7 +156,9 @@ Site FreeSpaceClassifier::classify(const FreeSpace& space) {
             places_.push_back(receiver.place);
         }
     }
-    const float threshold = settings_.threshold * std::max(radiosity, kDarkest * settings_.mean_radiosity);
+    if (!(threshold > 0)) {
+        threshold = settings_.threshold * std::max(radiosity, kDarkest * settings_.mean_radiosity);
+    }
     cutter_.build({places_, bounds, irradiance}, cut_);
     rays_.clear();
     list_candidates(space);

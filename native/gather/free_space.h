@@ -44,8 +44,8 @@ class FreeSpaceClassifier {
     FreeSpaceClassifier(const Solution& solution, const NodeOrder& order, const ClusterPoints& points,
                         const RayTracer& tracer, const ClassifySettings& settings);
 
-    // At least two points and one receiver.
-    [[nodiscard]] Site classify(const FreeSpace& space);
+    // At least two points and one receiver. threshold: as for Classifier.
+    [[nodiscard]] Site classify(const FreeSpace& space, float threshold = 0);
     [[nodiscard]] const GatherCounts& counts() const { return counts_; }
 
   private:

@@ -53,8 +53,8 @@ void report(const GatherCounts& total, std::uint64_t on_grid, const SitePlaces& 
 
 std::vector<Site> make_sites(const Solution& solution, const NodeOrder& order, const ClusterPoints& points,
                              const RayTracer& tracer, const SitePlaces& places, const SiteReceivers& receivers,
-                             const ClassifySettings& settings, bool free_space, const Control& control,
-                             Statistics& statistics) {
+                             const ClassifySettings& settings, std::span<const float> thresholds, bool free_space,
+                             const Control& control, Statistics& statistics) {
     std::vector<Site> sites(receivers.site_count());
     Pool<Worker> workers([&] {
         auto worker = std::make_unique<Worker>(Classifier(solution, order, points, tracer, settings));
@@ -70,9 +70,10 @@ std::vector<Site> make_sites(const Solution& solution, const NodeOrder& order, c
                 const std::uint32_t vertex = receivers.vertex_of(i);
                 const bool grid = places.is_of_grid(vertex);
                 const auto seen = receivers.of(i);
+                const float threshold = thresholds.empty() ? 0 : thresholds[i];
                 sites[i] = grid && worker.from_space
-                               ? worker.from_space->classify(free_space_around(places.grid(), vertex, seen))
-                               : worker.from_seen.classify(seen);
+                               ? worker.from_space->classify(free_space_around(places.grid(), vertex, seen), threshold)
+                               : worker.from_seen.classify(seen, threshold);
                 worker.on_grid += grid ? 1 : 0;
             }
         });

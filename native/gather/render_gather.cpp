@@ -130,29 +130,43 @@ ViewCounts full_gather(const Solution& solution, const View& view, int samples, 
     return light_tiles(view, tiles, make, film, control, statistics);
 }
 
-ViewCounts grid_gather(const Solution& solution, const View& view, const GatherSettings& settings, std::uint32_t width,
-                       std::uint32_t height, Film& film, Control& control, Statistics& statistics) {
+ViewCounts grid_gather(const Solution& solution, const View& view, const GatherSettings& settings,
+                       const Observer* observer, std::uint32_t width, std::uint32_t height, Film& film,
+                       Control& control, Statistics& statistics) {
     const std::vector<TileFragments> tiles = trace_tiles(view, film, control, statistics);
+    std::optional<StageTimer> timer;
+    std::optional<MaskingMap> seen;
+    if (observer != nullptr) {
+        timer.emplace(statistics, "perception");
+        seen = observe(*observer, solution, view, tiles, control);
+        timer.reset();
+    }
     const ClusterPoints points(solution, control);
     const NodeOrder order(hierarchy_of(solution));
     GridSettings cells;
     cells.cell = std::max(settings.cell * static_cast<float>(std::min(width, height)) / kStandardHeight, kLeastCell);
     cells.law = view.camera.is_perspective() ? settings.law : DepthLaw::kLinear;
     const PerspectiveGrid grid = fit_grid(view, static_cast<float>(width), static_cast<float>(height), tiles, cells);
-    std::optional<StageTimer> timer(std::in_place, statistics, "places of sites");
+    timer.emplace(statistics, "places of sites");
     std::optional<SurfaceMesh> surfaces;
     if (settings.surfaces) {
         surfaces.emplace(fit_surfaces(solution, grid, tiles, settings.free_space, control));
     }
     const SitePlaces places(grid, surfaces ? &*surfaces : nullptr);
-    const SiteReceivers receivers(solution, places, tiles, control);
+    const SiteReceivers receivers(solution, places, tiles, seen ? &*seen : nullptr, control);
+    timer.reset();
+    timer.emplace(statistics, "thresholds");
+    const std::vector<float> thresholds =
+        observer != nullptr ? noticeable_radiosity(*observer, receivers.views(), view.settings.exposure, control)
+                            : std::vector<float>();
+    timer.reset();
     timer.emplace(statistics, "classification");
     ClassifySettings classify;
     classify.samples = settings.samples;
     classify.threshold = settings.threshold;
     classify.mean_radiosity = receivers.mean_radiosity();
     const std::vector<Site> sites = make_sites(solution, order, points, view.tracer, places, receivers, classify,
-                                               settings.free_space, control, statistics);
+                                               thresholds, settings.free_space, control, statistics);
     timer.reset();
     const Shader shader(solution, order, points, view.tracer);
     const auto make = [&] { return std::make_unique<SiteGatherer>(places, receivers, sites, shader); };

@@ -4,6 +4,7 @@
 #include "film/film.h"
 #include "film/solution_view.h"
 #include "gather/perspective_grid.h"
+#include "gather/site_thresholds.h"
 #include "radiosity/solution.h"
 
 namespace gg {
@@ -23,9 +24,11 @@ struct GatherSettings {
 
 // All of these fill every tile of the film, report stage progress, and throw Cancelled.
 
-// Models of the light at sites of a grid, blended at every fragment. width, height: of the full picture, pixels.
-ViewCounts grid_gather(const Solution& solution, const View& view, const GatherSettings& settings, std::uint32_t width,
-                       std::uint32_t height, Film& film, Control& control, Statistics& statistics);
+// Models of the light at sites of a grid, blended at every fragment. observer: who tells which errors count; null: the
+// settings' threshold does. width, height: of the full picture, pixels.
+ViewCounts grid_gather(const Solution& solution, const View& view, const GatherSettings& settings,
+                       const Observer* observer, std::uint32_t width, std::uint32_t height, Film& film,
+                       Control& control, Statistics& statistics);
 
 // Every sender anew at every fragment; samples: visibility rays from a point, about.
 ViewCounts full_gather(const Solution& solution, const View& view, int samples, Film& film, Control& control,

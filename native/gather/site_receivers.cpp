@@ -49,10 +49,53 @@ void thin_out(std::vector<Candidate>& all) {
     all.resize(kept);
 }
 
+// Sums over fragments next to a vertex.
+struct ViewSum {
+    std::uint32_t vertex = 0;
+    float weight = 0;  // shares of pixels
+    SiteView sum;
+
+    void operator+=(const ViewSum& other) {
+        weight += other.weight;
+        sum.radiance += other.sum.radiance;
+        sum.adaptation += other.sum.adaptation;
+        sum.elevation += other.sum.elevation;
+    }
+};
+
+// One per vertex, in ascending order, from sums that are in no order but stay in that of equal vertices.
+void combine(std::vector<ViewSum>& sums) {
+    std::stable_sort(sums.begin(), sums.end(), [](const ViewSum& a, const ViewSum& b) { return a.vertex < b.vertex; });
+    std::size_t kept = 0;
+    for (const ViewSum& sum : sums) {
+        if (kept > 0 && sums[kept - 1].vertex == sum.vertex) {
+            sums[kept - 1] += sum;
+        } else {
+            sums[kept++] = sum;
+        }
+    }
+    sums.resize(kept);
+}
+
+ViewSum view_of(const Solution& solution, const TileFragments& tile, std::size_t pixel, const Fragment& at,
+                const MaskingMap& seen) {
+    const std::size_t x = tile.tile.x + pixel % tile.tile.width, y = tile.tile.y + pixel / tile.tile.width;
+    const Rgb irradiance =
+        interpolated_irradiance(solution, at.hit.instance, at.hit.triangle, at.back, {at.hit.u, at.hit.v});
+    return {0,
+            at.share,
+            {at.albedo * irradiance / kPi, at.share * seen.adaptation[y * seen.width + x],
+             at.share * seen.elevation[y * seen.width + x]}};
+}
+
 std::vector<Candidate> candidates_of(const Solution& solution, const SitePlaces& places, const TileFragments& tile,
-                                     std::uint32_t index) {
+                                     std::uint32_t index, const MaskingMap* seen, std::vector<ViewSum>& sums) {
     std::vector<Candidate> found;
+    std::size_t pixel = 0;
     for (std::uint32_t f = 0; f < tile.fragments.size(); ++f) {
+        while (f >= tile.pixels[pixel].end) {
+            ++pixel;
+        }
         const Fragment& at = tile.fragments[f];
         const SitePlace place = places.of(at);
         const NodeId node = place_at(solution, at.hit.instance, at.hit.triangle, at.back, at.position);
@@ -60,7 +103,15 @@ std::vector<Candidate> candidates_of(const Solution& solution, const SitePlaces&
         for (std::uint32_t k = 0; k < place.count; ++k) {
             found.push_back({place.vertices[k], 0, rank, node, index, f});
         }
+        if (seen != nullptr) {
+            ViewSum sum = view_of(solution, tile, pixel, at, *seen);
+            for (std::uint32_t k = 0; k < place.count; ++k) {
+                sum.vertex = place.vertices[k];
+                sums.push_back(sum);
+            }
+        }
     }
+    combine(sums);
     thin_out(found);
     return found;
 }
@@ -80,11 +131,13 @@ Receiver make_receiver(const Solution& solution, const Fragment& at, NodeId plac
 }  // namespace
 
 SiteReceivers::SiteReceivers(const Solution& solution, const SitePlaces& places, std::span<const TileFragments> tiles,
-                             const Control& control) {
+                             const MaskingMap* seen, const Control& control) {
+    std::vector<std::vector<ViewSum>> sums(tiles.size());
     std::vector<Candidate> all = parallel_collect<Candidate>(
         tiles.size(), 1, control, [&](std::size_t begin, std::size_t end, std::vector<Candidate>& out) {
             for (std::size_t i = begin; i < end; ++i) {
-                const auto found = candidates_of(solution, places, tiles[i], static_cast<std::uint32_t>(i));
+                const auto found =
+                    candidates_of(solution, places, tiles[i], static_cast<std::uint32_t>(i), seen, sums[i]);
                 out.insert(out.end(), found.begin(), found.end());
             }
         });
@@ -103,6 +156,17 @@ SiteReceivers::SiteReceivers(const Solution& solution, const SitePlaces& places,
             vertices_.push_back(all[i].vertex);
         }
         begin_.back() = static_cast<std::uint32_t>(i + 1);
+    }
+    if (seen != nullptr) {
+        std::vector<ViewSum> together;
+        for (const std::vector<ViewSum>& of_tile : sums) {
+            together.insert(together.end(), of_tile.begin(), of_tile.end());
+        }
+        combine(together);
+        for (const ViewSum& view : together) {
+            const float share = 1 / std::max(view.weight, 1e-20F);
+            views_.push_back({share * view.sum.radiance, share * view.sum.adaptation, share * view.sum.elevation});
+        }
     }
     mean_radiosity_ = static_cast<float>(radiosity / static_cast<double>(std::max<std::size_t>(all.size(), 1)));
 }

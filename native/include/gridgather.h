@@ -27,7 +27,7 @@
 extern "C" {
 #endif
 
-#define GG_INTERFACE_VERSION 3
+#define GG_INTERFACE_VERSION 4
 #define GG_NONE 0xFFFFFFFFu /* no image, no material */
 
 typedef enum gg_status {
@@ -199,6 +199,23 @@ typedef enum gg_pass {
     GG_PASS_SURFACE_SITES = 16       /* "Surface Sites": share of its light from sites on surfaces; the rest: the grid's */
 } gg_pass;
 
+/* How a picture is shown and looked at: errors that nobody sees there are left. */
+typedef struct gg_display {
+    const char* config;      /* path of an OpenColorIO configuration; "": sRGB with white at 1 */
+    const char* device;      /* of the configuration: display, view and look; "": no look */
+    const char* view;
+    const char* look;
+    float exposure;          /* stops, -64..64 */
+    float gamma;             /* 0: 1; 0.01..100 */
+    float white;             /* of the display, cd/m2; 0: 100; 1e-3..1e6 */
+    float black;             /* the same, added to everything, 0..1e6 */
+    float pixels_per_degree; /* of the visual field; 0: 40; 1..1e4 */
+} gg_display;
+
+/* What the display gets for scene-linear pixels, 3 * count values that are replaced, 0..1. Fails if the configuration
+ * cannot be read, or has no such display, view or look. */
+GG_API gg_status gg_display_encode(const gg_display* display, float* pixels, uint64_t count);
+
 /* A render's numbers. Required: width, height, method. */
 typedef struct gg_settings {
     int32_t method;           /* gg_method */
@@ -219,6 +236,10 @@ typedef struct gg_settings {
                                * 4 pixels of this one; 0: 20; 4..200 */
     float threshold;          /* error that one sender may have, share of the local radiosity; 0: 0.03; 1e-4..1 */
     uint32_t gather_samples;  /* visibility rays from a point, about; 0: 512; 16..4096 */
+    const gg_display* display; /* null: `threshold` counts. Otherwise errors are judged as they are shown, and renders
+                                * go on as with sRGB, with a message, where its configuration cannot be used */
+    float noticeable;          /* error that one sender may have, in just noticeable differences; 0: 0.25; 0.01..100 */
+    int32_t use_masking;       /* 1: larger ones where patterns hide them */
 } gg_settings;
 
 /* Copies what it needs, validates, starts the work on the library's own threads and returns at once. Lighting that an

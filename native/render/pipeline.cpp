@@ -1,6 +1,7 @@
 #include "render/pipeline.h"
 
 #include "core/control.h"
+#include "core/messages.h"
 #include "core/parallel.h"
 #include "core/statistics.h"
 #include "film/solution_view.h"
@@ -9,6 +10,26 @@
 #include "render/prepared_scene.h"
 
 namespace gg {
+
+namespace {
+
+ViewCounts gather(const Solution& solution, const View& view, const RenderSettings& settings, Film& film,
+                  Control& control, Messages& messages, Statistics& statistics) {
+    if (!settings.display) {
+        return grid_gather(solution, view, settings.gather, nullptr, settings.width, settings.height, film, control,
+                           statistics);
+    }
+    const DisplayTransform transform(*settings.display);
+    if (!transform.failure().empty()) {
+        messages.add("Color Management", "errors are judged as if the display were sRGB: " + transform.failure());
+    }
+    const Observer observer{[&](std::span<Rgb> pixels) { transform.show(pixels); }, settings.viewing,
+                            settings.noticeable, settings.masking};
+    return grid_gather(solution, view, settings.gather, &observer, settings.width, settings.height, film, control,
+                       statistics);
+}
+
+}  // namespace
 
 void render(SceneCache& cache, const RenderSettings& settings, Film& film, Control& control, Messages& messages,
             Statistics& statistics) {
@@ -33,8 +54,7 @@ void render(SceneCache& cache, const RenderSettings& settings, Film& film, Contr
         const ViewCounts counts = settings.method == Method::kSolution ? render_view(view, irradiance_at, film, control)
                                   : settings.method == Method::kFull
                                       ? full_gather(*solution, view, settings.gather.samples, film, control, statistics)
-                                      : grid_gather(*solution, view, settings.gather, settings.width, settings.height,
-                                                    film, control, statistics);
+                                      : gather(*solution, view, settings, film, control, messages, statistics);
         statistics.set_count("coverage samples", static_cast<double>(counts.samples));
         statistics.set_count("dropped samples", static_cast<double>(counts.dropped));
     });

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "film/passes.h"
 #include "film/pixel_filter.h"
 #include "film/solution_view.h"
 #include "gather/render_gather.h"
+#include "image/display_transform.h"
 #include "scene/description.h"
 
 namespace gg {
@@ -31,6 +33,10 @@ struct RenderSettings {
     int threads = 0;            // 0: all cores
     PassSet passes;             // of the film
     GatherSettings gather;
+    std::optional<DisplaySettings> display;  // on which the final gather's errors are judged
+    Viewing viewing;
+    float noticeable = 0.25F;  // see Observer
+    bool masking = false;
 };
 
 // Fills the film, which has the size of settings.view.crop. Throws Cancelled or Error; statistics and messages then

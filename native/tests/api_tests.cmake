@@ -1,5 +1,5 @@
 gg_test(api_tests SOURCES api/scene_misuse_test.cpp api/render_misuse_test.cpp api/render_test.cpp api/cancel_test.cpp
-        LAYERS core image scene material trace transport radiosity film gather render api)
+        LAYERS core perception image scene material trace transport radiosity film gather render api)
 
 # The library shows nothing but its interface, and its loader's check runs on every x86-64.
 add_test(NAME api_exports COMMAND sh -c

@@ -6,6 +6,7 @@ from .. import passes
 from ..description import HIDDEN_FROM_CAMERA, HIDDEN_FROM_LIGHT, Frame, InstanceGroup, Scene
 from . import ExportCancelledError
 from .camera import export_camera
+from .display import export_display
 from .identity import distinct_id, rows, stable_id
 from .light import export_light
 from .material import MaterialExport
@@ -29,6 +30,8 @@ def export_frame(depsgraph, width: int, height: int, camera=None, cancelled=lamb
     settings = export_settings(depsgraph.scene_eval, width, height)
     settings.passes = passes.bits(depsgraph.view_layer)
     scene = export_scene(depsgraph, cancelled)
+    if depsgraph.scene_eval.gridgather.use_perception:
+        settings.display = export_display(depsgraph.scene_eval, scene)
     if camera.data.dof.use_dof:
         scene.say(camera.name, "Depth of Field is left out")
     return Frame(scene, window, settings, time.perf_counter() - start)

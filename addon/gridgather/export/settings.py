@@ -40,6 +40,8 @@ def export_settings(scene, width: int, height: int) -> Settings:
         cell_size=own.cell_size,
         threshold=own.threshold / 100,
         gather_samples=own.gather_samples,
+        noticeable=own.noticeable,
+        use_masking=own.use_masking,
         film_transparent=render.film_transparent,
         threads=render.threads if render.threads_mode == "FIXED" else 0,
     )

@@ -66,6 +66,7 @@ TEST_F(RenderMisuse, settings_out_of_range_are_refused) {
         [](gg_settings& s) { s.exposure = -1; },
         [](gg_settings& s) { s.exposure = kNan; },
         [](gg_settings& s) { s.threads = -1; },
+        [](gg_settings& s) { s.noticeable = -1; },
     };
     int index = 0;
     for (const auto& fault : faults) {
@@ -75,6 +76,42 @@ TEST_F(RenderMisuse, settings_out_of_range_are_refused) {
         EXPECT_STRNE(gg_last_error(), "");
         ++index;
     }
+}
+
+TEST_F(RenderMisuse, displays_out_of_range_are_refused) {
+    const std::function<void(gg_display&)> faults[] = {
+        [](gg_display& d) { d.exposure = 65; },
+        [](gg_display& d) { d.exposure = kNan; },
+        [](gg_display& d) { d.gamma = -1; },
+        [](gg_display& d) { d.white = -1; },
+        [](gg_display& d) { d.white = kNan; },
+        [](gg_display& d) { d.black = -1; },
+        [](gg_display& d) { d.pixels_per_degree = 0.5F; },
+    };
+    int index = 0;
+    for (const auto& fault : faults) {
+        gg_display display{};
+        fault(display);
+        gg_settings settings = settings_;
+        settings.display = &display;
+        EXPECT_EQ(start(&camera_, settings), GG_INVALID_ARGUMENT) << index;
+        ++index;
+    }
+}
+
+TEST_F(RenderMisuse, encoding_needs_a_display_and_pixels) {
+    gg_display display{};
+    float pixels[3] = {0.5F, 0.5F, 0.5F};
+    EXPECT_EQ(gg_display_encode(nullptr, pixels, 1), GG_INVALID_ARGUMENT);
+    EXPECT_EQ(gg_display_encode(&display, nullptr, 1), GG_INVALID_ARGUMENT);
+    EXPECT_EQ(gg_display_encode(&display, nullptr, 0), GG_OK);
+    display.config = "/nowhere/config.ocio";
+    EXPECT_EQ(gg_display_encode(&display, pixels, 1), GG_INVALID_ARGUMENT);
+    EXPECT_STRNE(gg_last_error(), "");
+    EXPECT_EQ(pixels[0], 0.5F);  // nothing changed
+    display.config = nullptr;
+    EXPECT_EQ(gg_display_encode(&display, pixels, 1), GG_OK);
+    EXPECT_NEAR(pixels[0], 0.73536F, 1e-4F);
 }
 
 TEST_F(RenderMisuse, cameras_out_of_range_are_refused) {

@@ -67,13 +67,13 @@ GridPicture::GridPicture(const SceneDescription& description, const CameraDescri
       grid(grid_of(view, tiles, settings)),
       surfaces(fit_surfaces(*solution, grid, tiles, false, prepared.control)),
       places(grid, settings.surfaces ? &surfaces : nullptr),
-      receivers(*solution, places, tiles, prepared.control) {
+      receivers(*solution, places, tiles, nullptr, prepared.control) {
     ClassifySettings classify;
     classify.samples = settings.samples;
     classify.threshold = settings.threshold;
     classify.mean_radiosity = receivers.mean_radiosity();
-    sites = make_sites(*solution, order, points, *prepared.tracer, places, receivers, classify, false, prepared.control,
-                       prepared.statistics);
+    sites = make_sites(*solution, order, points, *prepared.tracer, places, receivers, classify, {}, false,
+                       prepared.control, prepared.statistics);
 }
 
 PlacedFragment GridPicture::place(const Fragment& at) const {
