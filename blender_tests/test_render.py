@@ -129,6 +129,31 @@ def test_diagnostic_passes_tell_what_pixels_took(lit):
     assert 0 <= on_surface.min() and on_surface.max() <= 1
     lines = found["Cell Lines"]
     assert set(np.unique(lines)) == {0, 1} and 0.05 < lines.mean() < 0.8
+    judged = ("Threshold Elevation", "Adaptation Luminance", "Site Threshold")
+    assert not any(found[name].any() for name in judged)
+
+
+def test_perception_passes_tell_what_an_eye_sees(lit):
+    dark = quad("Dark", size=1)
+    dark.materials.append(material("Dark", (0.02, 0.02, 0.02)))
+    link(dark, "Dark", location=(0, 0, 0.1))
+    own, settings = lit.view_layers[0].gridgather, lit.gridgather
+    own.use_threshold_elevation = own.use_adaptation_luminance = own.use_site_threshold = True
+    settings.use_perception, settings.display_white, settings.display_black = True, 200, 1
+
+    def found():
+        return [multilayer(lit)[f"ViewLayer.{name}.X"] for name in passes.enabled(lit.view_layers[0])]
+
+    elevation, adaptation, threshold = found()
+    assert 1 <= elevation.min() < 0.5 * elevation.max() <= 5
+    assert 0.9 < adaptation.min() < adaptation.max() < 201.1
+    assert threshold.min() > 0
+    settings.use_masking = False
+    unmasked, _, lower = found()
+    assert (unmasked == 1).all()
+    assert lower.mean() < 0.9 * threshold.mean()
+    settings.noticeable *= 2
+    assert found()[2].mean() == pytest.approx(2 * lower.mean(), rel=0.1)
 
 
 def test_passes_stay_with_their_view_layer(lit):

@@ -10,6 +10,9 @@ _DIAGNOSTICS = (
     ("use_resampled_senders", "Resampled Senders", 4),
     ("use_cell_lines", "Cell Lines", 8),
     ("use_surface_site_share", "Surface Sites", 16),
+    ("use_threshold_elevation", "Threshold Elevation", 32),
+    ("use_adaptation_luminance", "Adaptation Luminance", 64),
+    ("use_site_threshold", "Site Threshold", 128),
 )
 PROPERTIES = tuple(name for name, _, _ in _DIAGNOSTICS)
 
@@ -33,6 +36,19 @@ class GridgatherLayerSettings(bpy.types.PropertyGroup):
         name="Surface Sites",
         description="1 where light is interpolated over the surface itself, 0 where by the grid, in between where one "
         "fades into the other",
+    )
+    use_threshold_elevation: BoolProperty(
+        name="Threshold Elevation",
+        description="Factor by which patterns around a pixel hide errors, 1 to 10. Only where errors are judged as shown",
+    )
+    use_adaptation_luminance: BoolProperty(
+        name="Adaptation Luminance",
+        description="Luminance that an eye is used to which looks at a pixel, cd/m2. Only where errors are judged as "
+        "shown",
+    )
+    use_site_threshold: BoolProperty(
+        name="Site Threshold",
+        description="Error of radiosity that one sender may have there, W/m2. Only where errors are judged as shown",
     )
 
 

@@ -8,10 +8,20 @@
 namespace gg {
 
 // In the order of the bits of gg_settings::passes.
-enum class Pass : std::uint8_t { kVisibilitySamples, kFormFactorSamples, kResampledSenders, kCellLines, kSurfaceSites };
-inline constexpr std::uint32_t kPassCount = 5;
+enum class Pass : std::uint8_t {
+    kVisibilitySamples,
+    kFormFactorSamples,
+    kResampledSenders,
+    kCellLines,
+    kSurfaceSites,
+    kThresholdElevation,
+    kAdaptationLuminance,
+    kSiteThreshold
+};
+inline constexpr std::uint32_t kPassCount = 8;
 inline constexpr std::array<std::string_view, kPassCount> kPassNames{
-    "Visibility Samples", "Form Factor Samples", "Resampled Senders", "Cell Lines", "Surface Sites"};
+    "Visibility Samples", "Form Factor Samples", "Resampled Senders",    "Cell Lines",
+    "Surface Sites",      "Threshold Elevation", "Adaptation Luminance", "Site Threshold"};
 
 // Which of them are wanted: a bit each.
 struct PassSet {

@@ -147,7 +147,8 @@ bool ends_a_cell(const PixelMap& map, std::size_t tile, std::uint32_t pixel, con
 }
 
 std::vector<PassValues> pass_values(const PixelMap& map, std::size_t tile, const LitTile& lit, PassSet passes,
-                                    const Gatherer& gatherer) {
+                                    const MaskingMap* seen, const Gatherer& gatherer) {
+    const TileFragments& own = map.tiles()[tile];
     std::vector<PassValues> values(passes.bits != 0 ? lit.taken.size() : 0);
     for (std::uint32_t p = 0; p < values.size(); ++p) {
         const PixelCounts& taken = lit.taken[p];
@@ -159,13 +160,21 @@ std::vector<PassValues> pass_values(const PixelMap& map, std::size_t tile, const
         if (passes.has(Pass::kCellLines)) {
             values[p][Pass::kCellLines] = ends_a_cell(map, tile, p, gatherer) ? 1.0F : 0.0F;
         }
+        if (seen != nullptr) {
+            const std::size_t x = own.tile.x + p % own.tile.width, y = own.tile.y + p / own.tile.width;
+            values[p][Pass::kThresholdElevation] = seen->elevation[y * seen->width + x];
+            values[p][Pass::kAdaptationLuminance] = seen->adaptation[y * seen->width + x];
+        }
+        if (passes.has(Pass::kSiteThreshold) && own.begin_of(p) < own.pixels[p].end) {
+            values[p][Pass::kSiteThreshold] = gatherer.threshold_at(own.fragments[own.begin_of(p)]);
+        }
     }
     return values;
 }
 
 }  // namespace
 
-ViewCounts light_tiles(const View& view, std::span<const TileFragments> tiles,
+ViewCounts light_tiles(const View& view, std::span<const TileFragments> tiles, const MaskingMap* seen,
                        const std::function<std::unique_ptr<Gatherer>()>& make, Film& film, Control& control,
                        Statistics& statistics) {
     const StageTimer timer(statistics, "shading");
@@ -203,7 +212,8 @@ ViewCounts light_tiles(const View& view, std::span<const TileFragments> tiles,
         divided += jumps.size();
         std::vector<Rgba> pixels(tiles[i].pixels.size());
         dropped += resolve_tile(view, tiles[i], lit[i].light, pixels);
-        film.finish_tile(static_cast<std::uint32_t>(i), pixels, pass_values(map, i, lit[i], film.passes(), *gatherer));
+        film.finish_tile(static_cast<std::uint32_t>(i), pixels,
+                         pass_values(map, i, lit[i], film.passes(), seen, *gatherer));
         step(*gatherer);
     });
     report(total, statistics);

@@ -10,6 +10,7 @@
 #include "film/solution_view.h"
 #include "gather/gather_counts.h"
 #include "gather/shade.h"
+#include "perception/masking.h"
 
 namespace gg {
 
@@ -31,11 +32,13 @@ class Gatherer {
     [[nodiscard]] virtual const GatherCounts& counts() const = 0;  // of all that it did
     // The cell of the grid that a fragment lies in, 0 without a grid.
     [[nodiscard]] virtual std::uint32_t cell_of(const Fragment& fragment) const = 0;
+    // Error of radiosity that a sender may have around a fragment [W/m2], 0 without an observer.
+    [[nodiscard]] virtual float threshold_at(const Fragment& fragment) const = 0;
 };
 
-// Fills the film and its passes. tiles: of the film, in its order. make: called once for each tile and thread.
-// Reports stage progress. Throws Cancelled.
-ViewCounts light_tiles(const View& view, std::span<const TileFragments> tiles,
+// Fills the film and its passes. tiles: of the film, in its order. seen: of the whole film; null without an observer.
+// make: called once for each tile and thread. Reports stage progress. Throws Cancelled.
+ViewCounts light_tiles(const View& view, std::span<const TileFragments> tiles, const MaskingMap* seen,
                        const std::function<std::unique_ptr<Gatherer>()>& make, Film& film, Control& control,
                        Statistics& statistics);
 

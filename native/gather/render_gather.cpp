@@ -60,6 +60,7 @@ class FullGatherer : public Gatherer {
     }
     [[nodiscard]] const GatherCounts& counts() const override { return gather_.counts(); }
     [[nodiscard]] std::uint32_t cell_of(const Fragment&) const override { return 0; }
+    [[nodiscard]] float threshold_at(const Fragment&) const override { return 0; }
 
   private:
     const Solution& solution_;
@@ -68,9 +69,10 @@ class FullGatherer : public Gatherer {
 
 class SiteGatherer : public Gatherer {
   public:
+    // thresholds: per site, or none.
     SiteGatherer(const SitePlaces& places, const SiteReceivers& receivers, std::span<const Site> sites,
-                 const Shader& shader)
-        : places_(places), receivers_(receivers), sites_(sites), shader_(shader) {}
+                 std::span<const float> thresholds, const Shader& shader)
+        : places_(places), receivers_(receivers), sites_(sites), thresholds_(thresholds), shader_(shader) {}
 
     void shade(std::span<const Fragment> fragments, std::span<PointLight> light,
                std::span<PointCounts> taken) override {
@@ -94,6 +96,16 @@ class SiteGatherer : public Gatherer {
     [[nodiscard]] std::uint32_t cell_of(const Fragment& fragment) const override {
         return places_.grid().cell_at(fragment.position);
     }
+    [[nodiscard]] float threshold_at(const Fragment& fragment) const override {
+        float sum = 0;
+        if (!thresholds_.empty()) {
+            const SitePlace place = places_.of(fragment);
+            for (std::uint32_t k = 0; k < place.count; ++k) {
+                sum += place.weights[k] * thresholds_[receivers_.site_at(place.vertices[k])];
+            }
+        }
+        return sum;
+    }
 
   private:
     [[nodiscard]] bool has_all_sites(const Fragment& at) const {
@@ -115,6 +127,7 @@ class SiteGatherer : public Gatherer {
     const SitePlaces& places_;
     const SiteReceivers& receivers_;
     std::span<const Site> sites_;
+    std::span<const float> thresholds_;
     Shader shader_;
     std::vector<PlacedFragment> placed_;
 };
@@ -127,7 +140,7 @@ ViewCounts full_gather(const Solution& solution, const View& view, int samples, 
     const ClusterPoints points(solution, control);
     const NodeOrder order(hierarchy_of(solution));
     const auto make = [&] { return std::make_unique<FullGatherer>(solution, order, points, view.tracer, samples); };
-    return light_tiles(view, tiles, make, film, control, statistics);
+    return light_tiles(view, tiles, nullptr, make, film, control, statistics);
 }
 
 ViewCounts grid_gather(const Solution& solution, const View& view, const GatherSettings& settings,
@@ -169,8 +182,8 @@ ViewCounts grid_gather(const Solution& solution, const View& view, const GatherS
                                                thresholds, settings.free_space, control, statistics);
     timer.reset();
     const Shader shader(solution, order, points, view.tracer);
-    const auto make = [&] { return std::make_unique<SiteGatherer>(places, receivers, sites, shader); };
-    return light_tiles(view, tiles, make, film, control, statistics);
+    const auto make = [&] { return std::make_unique<SiteGatherer>(places, receivers, sites, thresholds, shader); };
+    return light_tiles(view, tiles, seen ? &*seen : nullptr, make, film, control, statistics);
 }
 
 }  // namespace gg

@@ -196,7 +196,11 @@ typedef enum gg_pass {
     GG_PASS_FORM_FACTOR_SAMPLES = 2, /* "Form Factor Samples": form factors worked out */
     GG_PASS_RESAMPLED_SENDERS = 4,   /* "Resampled Senders": looked at anew, mean over the pixel's points */
     GG_PASS_CELL_LINES = 8,          /* "Cell Lines": 1 where the pixel to the right or above lies in another cell */
-    GG_PASS_SURFACE_SITES = 16       /* "Surface Sites": share of its light from sites on surfaces; the rest: the grid's */
+    GG_PASS_SURFACE_SITES = 16,      /* "Surface Sites": share of its light from sites on surfaces; the rest: the grid's */
+    /* 0 without a display, and but for the final gather: */
+    GG_PASS_THRESHOLD_ELEVATION = 32,  /* "Threshold Elevation": factor by which patterns hide errors, 1..10 */
+    GG_PASS_ADAPTATION_LUMINANCE = 64, /* "Adaptation Luminance": that an eye is used to which looks there, cd/m2 */
+    GG_PASS_SITE_THRESHOLD = 128       /* "Site Threshold": error of radiosity that one sender may have, W/m2 */
 } gg_pass;
 
 /* How a picture is shown and looked at: errors that nobody sees there are left. */

@@ -13,9 +13,10 @@ namespace gg {
 
 namespace {
 
-constexpr int kBands = 6;
-constexpr int kLevels = kBands + 2;              // each band's contrast is that of two levels over a third one
-constexpr float kDarkest = 1e-5F;                // cd/m2
+constexpr int kBands = 6;              // at most
+constexpr float kLowestFrequency = 4;  // cycles/degree: coarser patterns, as of soft light, hide no edges or grain
+constexpr int kLevels = kBands + 2;    // each band's contrast is that of two levels over a third one
+constexpr float kDarkest = 1e-5F;      // cd/m2
 constexpr float kUnseen = 1 / kPeakSensitivity;  // contrast, in sum over all bands, that nobody sees
 constexpr std::size_t kRows = 8;
 
@@ -66,6 +67,10 @@ MaskingMap masking_map(std::uint32_t width, std::uint32_t height, std::vector<fl
                        const Control& control) {
     const LuminancePyramid pyramid(width, height, std::move(luminance), kLevels, control);
     std::array<float, kBands> frequencies{}, of_frequency{};
+    int bands = 1;
+    while (bands < kBands && viewing.pixels_per_degree / static_cast<float>(2 << bands) >= kLowestFrequency) {
+        ++bands;
+    }
     for (int band = 0; band < kBands; ++band) {
         frequencies[band] = viewing.pixels_per_degree / static_cast<float>(2 << band);
         of_frequency[band] = frequency_elevation(frequencies[band]);
@@ -86,7 +91,7 @@ MaskingMap masking_map(std::uint32_t width, std::uint32_t height, std::vector<fl
                 const std::array<float, kBands> sensitivity = sensitivities.at(adaptation);
                 // Where there is next to no contrast, nothing hides anything.
                 float elevated = kUnseen, all = kUnseen;
-                for (int band = 0; band < kBands; ++band) {
+                for (int band = 0; band < bands; ++band) {
                     const float contrast =
                         std::abs(rows[band][x] - rows[band + 1][x]) / std::max(rows[band + 2][x], kDarkest);
                     elevated += contrast * of_frequency[band] * contrast_elevation(contrast * sensitivity[band]);

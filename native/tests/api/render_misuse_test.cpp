@@ -54,7 +54,7 @@ TEST_F(RenderMisuse, settings_out_of_range_are_refused) {
         [](gg_settings& s) { s.quality = 2; },
         [](gg_settings& s) { s.quality = kNan; },
         [](gg_settings& s) { s.samples = 257; },
-        [](gg_settings& s) { s.passes = 32; },
+        [](gg_settings& s) { s.passes = 256; },
         [](gg_settings& s) { s.sites = 2; },
         [](gg_settings& s) { s.receivers = 2; },
         [](gg_settings& s) { s.depth_law = -1; },
