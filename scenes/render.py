@@ -42,10 +42,10 @@ def output_stem(options):
     """Path of the products without their suffix; it names every option that changes the picture."""
     parts = [options.scene, options.engine, options.preset, options.method]
     parts += [f"{letter}{value}" for letter, value in (("q", options.quality), ("t", options.threshold),
-                                                       ("j", options.noticeable),
-                                                       ("g", options.gather_samples), ("c", options.cell_size),
-                                                       ("s", options.samples)) if value]
-    parts += ["unmasked" if options.use_masking is False else None, options.size, f"{options.percent}pc" if options.percent != 100 else None]
+                                                       ("j", options.noticeable), ("g", options.gather_samples),
+                                                       ("c", options.cell_size), ("s", options.samples)) if value]
+    parts += ["unmasked" if options.use_masking is False else None, options.size]
+    parts += [f"{options.percent}pc" if options.percent != 100 else None]
     return options.out.absolute() / "-".join(str(part).lower() for part in parts if part)
 
 

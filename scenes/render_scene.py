@@ -22,13 +22,14 @@ def set_up(scene, wishes):
     if wishes["engine"] == "CYCLES":
         scene.cycles.use_denoising = False  # not every Blender is built with the denoiser
     settings = scene.gridgather if wishes["engine"] == "GRIDGATHER" else scene.cycles
-    if wishes["noticeable"] is not None:
-        settings.use_perception = True
-    for name in ("preset", "method", "quality", "threshold", "noticeable", "use_masking", "gather_samples", "cell_size", "samples"):
+    for name in ("preset", "method", "quality", "threshold", "noticeable", "use_masking", "gather_samples", "cell_size",
+                 "samples"):
         if wishes[name] is not None:
             if not hasattr(settings, name):
                 raise ValueError(f"{wishes['engine']} has no setting {name!r}")
             setattr(settings, name, wishes[name])
+    if wishes["noticeable"] is not None:
+        settings.use_perception = True
 
 
 def write(scene, path, file_format, depth, mode="RGB"):

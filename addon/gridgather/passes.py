@@ -39,7 +39,8 @@ class GridgatherLayerSettings(bpy.types.PropertyGroup):
     )
     use_threshold_elevation: BoolProperty(
         name="Threshold Elevation",
-        description="Factor by which patterns around a pixel hide errors, 1 to 10. Only where errors are judged as shown",
+        description="Factor by which patterns around a pixel hide errors, 1 to 10. Only where errors are judged as "
+        "shown",
     )
     use_adaptation_luminance: BoolProperty(
         name="Adaptation Luminance",

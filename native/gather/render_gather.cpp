@@ -168,12 +168,11 @@ ViewCounts grid_gather(const Solution& solution, const View& view, const GatherS
     const SitePlaces places(grid, surfaces ? &*surfaces : nullptr);
     const SiteReceivers receivers(solution, places, tiles, seen ? &*seen : nullptr, control);
     timer.reset();
-    timer.emplace(statistics, "thresholds");
-    const std::vector<float> thresholds =
-        observer != nullptr ? noticeable_radiosity(*observer, receivers.views(), view.settings.exposure, control)
-                            : std::vector<float>();
-    timer.reset();
     timer.emplace(statistics, "classification");
+    std::vector<float> thresholds;
+    if (observer != nullptr) {
+        thresholds = noticeable_radiosity(*observer, receivers.views(), view.settings.exposure, control);
+    }
     ClassifySettings classify;
     classify.samples = settings.samples;
     classify.threshold = settings.threshold;
