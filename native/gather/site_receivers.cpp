@@ -53,13 +53,14 @@ void thin_out(std::vector<Candidate>& all) {
 struct ViewSum {
     std::uint32_t vertex = 0;
     float weight = 0;  // shares of pixels
-    SiteView sum;
+    Rgb radiance{0.0F};
+    float adaptation = 0, sensitivity = 0;  // one over the elevation
 
     void operator+=(const ViewSum& other) {
         weight += other.weight;
-        sum.radiance += other.sum.radiance;
-        sum.adaptation += other.sum.adaptation;
-        sum.elevation += other.sum.elevation;
+        radiance += other.radiance;
+        adaptation += other.adaptation;
+        sensitivity += other.sensitivity;
     }
 };
 
@@ -82,10 +83,8 @@ ViewSum view_of(const Solution& solution, const TileFragments& tile, std::size_t
     const std::size_t x = tile.tile.x + pixel % tile.tile.width, y = tile.tile.y + pixel / tile.tile.width;
     const Rgb irradiance =
         interpolated_irradiance(solution, at.hit.instance, at.hit.triangle, at.back, {at.hit.u, at.hit.v});
-    return {0,
-            at.share,
-            {at.albedo * irradiance / kPi, at.share * seen.adaptation[y * seen.width + x],
-             at.share * seen.elevation[y * seen.width + x]}};
+    const std::size_t i = y * seen.width + x;
+    return {0, at.share, at.albedo * irradiance / kPi, at.share * seen.adaptation[i], at.share / seen.elevation[i]};
 }
 
 std::vector<Candidate> candidates_of(const Solution& solution, const SitePlaces& places, const TileFragments& tile,
@@ -165,7 +164,8 @@ SiteReceivers::SiteReceivers(const Solution& solution, const SitePlaces& places,
         combine(together);
         for (const ViewSum& view : together) {
             const float share = 1 / std::max(view.weight, 1e-20F);
-            views_.push_back({share * view.sum.radiance, share * view.sum.adaptation, share * view.sum.elevation});
+            views_.push_back(
+                {share * view.radiance, share * view.adaptation, view.weight / std::max(view.sensitivity, 1e-20F)});
         }
     }
     mean_radiosity_ = static_cast<float>(radiosity / static_cast<double>(std::max<std::size_t>(all.size(), 1)));

@@ -1,6 +1,5 @@
 #include "perception/csf.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace gg {
@@ -10,10 +9,6 @@ float contrast_sensitivity(float frequency, float adaptation) {
     const float b = 0.3F * std::pow(1 + 100 / adaptation, 0.15F);
     const float falls = std::exp(-b * frequency);
     return a * frequency * falls * std::sqrt(1 + 0.06F / falls);
-}
-
-float frequency_elevation(float frequency) {
-    return std::max(1.0F, kPeakSensitivity / contrast_sensitivity(frequency, 100));
 }
 
 }  // namespace gg

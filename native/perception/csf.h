@@ -10,7 +10,4 @@ namespace gg {
 // The largest sensitivity there is at 100 cd/m2, to 3.248 cycles/degree.
 inline constexpr float kPeakSensitivity = 525.15F;
 
-// By which factor less a frequency is seen than the best one, >= 1, at 100 cd/m2.
-[[nodiscard]] float frequency_elevation(float frequency);
-
 }  // namespace gg

@@ -14,7 +14,7 @@ namespace gg {
 namespace {
 
 constexpr int kBands = 6;              // at most
-constexpr float kLowestFrequency = 4;  // cycles/degree: coarser patterns, as of soft light, hide no edges or grain
+constexpr float kLowestFrequency = 8;  // cycles/degree: coarser ones, as of soft light and of lone edges, hide little
 constexpr int kLevels = kBands + 2;    // each band's contrast is that of two levels over a third one
 constexpr float kDarkest = 1e-5F;      // cd/m2
 constexpr float kUnseen = 1 / kPeakSensitivity;  // contrast, in sum over all bands, that nobody sees
@@ -66,14 +66,13 @@ float contrast_elevation(float visible) {
 MaskingMap masking_map(std::uint32_t width, std::uint32_t height, std::vector<float> luminance, const Viewing& viewing,
                        const Control& control) {
     const LuminancePyramid pyramid(width, height, std::move(luminance), kLevels, control);
-    std::array<float, kBands> frequencies{}, of_frequency{};
+    std::array<float, kBands> frequencies{};
     int bands = 1;
     while (bands < kBands && viewing.pixels_per_degree / static_cast<float>(2 << bands) >= kLowestFrequency) {
         ++bands;
     }
     for (int band = 0; band < kBands; ++band) {
         frequencies[band] = viewing.pixels_per_degree / static_cast<float>(2 << band);
-        of_frequency[band] = frequency_elevation(frequencies[band]);
     }
     const Sensitivities sensitivities(frequencies);
     const int adapts = adaptation_level(viewing.pixels_per_degree);
@@ -94,7 +93,7 @@ MaskingMap masking_map(std::uint32_t width, std::uint32_t height, std::vector<fl
                 for (int band = 0; band < bands; ++band) {
                     const float contrast =
                         std::abs(rows[band][x] - rows[band + 1][x]) / std::max(rows[band + 2][x], kDarkest);
-                    elevated += contrast * of_frequency[band] * contrast_elevation(contrast * sensitivity[band]);
+                    elevated += contrast * contrast_elevation(contrast * sensitivity[band]);
                     all += contrast;
                 }
                 map.adaptation[y * width + x] = adaptation;

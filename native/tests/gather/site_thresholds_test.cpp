@@ -81,7 +81,7 @@ TEST(SiteThresholds, sites_know_what_is_seen_around_them) {
     }
     std::size_t checked = 0;
     for (std::size_t site = 0; site < receivers.site_count(); site += 37) {
-        double weight = 0, adaptation = 0, elevation = 0, green = 0;
+        double weight = 0, adaptation = 0, sensitivity = 0, green = 0;
         for (const TileFragments& tile : picture.tiles) {
             for (std::size_t p = 0; p < tile.pixels.size(); ++p) {
                 const std::size_t x = tile.tile.x + p % tile.tile.width, y = tile.tile.y + p / tile.tile.width;
@@ -94,7 +94,7 @@ TEST(SiteThresholds, sites_know_what_is_seen_around_them) {
                                                                   at.back, {at.hit.u, at.hit.v});
                         weight += static_cast<double>(at.share);
                         adaptation += static_cast<double>(at.share * seen.adaptation[y * seen.width + x]);
-                        elevation += static_cast<double>(at.share * seen.elevation[y * seen.width + x]);
+                        sensitivity += static_cast<double>(at.share / seen.elevation[y * seen.width + x]);
                         green += static_cast<double>(at.albedo.g * light.g / kPi);
                     }
                 }
@@ -102,7 +102,7 @@ TEST(SiteThresholds, sites_know_what_is_seen_around_them) {
         }
         const SiteView& view = receivers.views()[site];
         EXPECT_NEAR(view.adaptation / (adaptation / weight), 1, 1e-4) << site;
-        EXPECT_NEAR(view.elevation / (elevation / weight), 1, 1e-4) << site;
+        EXPECT_NEAR(view.elevation * sensitivity / weight, 1, 1e-4) << site;
         EXPECT_NEAR(view.radiance.g / (green / weight), 1, 1e-4) << site;
         ++checked;
     }

@@ -32,7 +32,7 @@ MaskingMap map_of(std::vector<float> values) {
 }
 
 float texture(std::uint32_t x, std::uint32_t y) {
-    return 40 + 2 * (static_cast<float>(hash64(x, y) >> 40) / static_cast<float>(1 << 24) - 0.5F) +
+    return 40 + 8 * (static_cast<float>(hash64(x, y) >> 40) / static_cast<float>(1 << 24) - 0.5F) +
            3 * std::sin(0.07F * static_cast<float>(x)) * std::sin(0.05F * static_cast<float>(y));
 }
 
@@ -89,11 +89,10 @@ TEST(Masking, is_that_of_a_pyramid_at_full_resolution) {
             const float adaptation = levels[5][i];  // of 32 pixels: a degree is 40
             EXPECT_NEAR(map.adaptation[i], adaptation, 1e-4F * adaptation);
             float sum = 1 / 525.15F, all = sum;
-            for (int band = 0; band < 3; ++band) {  // 20 to 5 cycles/degree
+            for (int band = 0; band < 2; ++band) {  // 20 and 10 cycles/degree
                 const float frequency = 40.0F / static_cast<float>(2 << band);
                 const float contrast = std::abs(levels[band][i] - levels[band + 1][i]) / levels[band + 2][i];
-                sum += contrast * frequency_elevation(frequency) *
-                       contrast_elevation(contrast * contrast_sensitivity(frequency, adaptation));
+                sum += contrast * contrast_elevation(contrast * contrast_sensitivity(frequency, adaptation));
                 all += contrast;
             }
             const float expected = std::min(sum / all, 10.0F);
