@@ -86,6 +86,14 @@ def test_curves_are_named(scene):
     assert any("curves" in text for _, text in export().scene.messages)
 
 
+def test_white_balance_is_named(scene):
+    if not hasattr(scene.view_settings, "use_white_balance"):
+        pytest.skip("this Blender has no white balance")
+    scene.gridgather.use_perception = True
+    scene.view_settings.use_white_balance = True
+    assert any("white balance" in text for _, text in export().scene.messages)
+
+
 def test_configuration_is_the_one_that_blender_reads(monkeypatch, tmp_path):
     own = display.config_path()
     assert own.endswith("config.ocio")

@@ -15,6 +15,8 @@ def export_display(scene, out: Scene) -> Display:
     view, own = scene.view_settings, scene.gridgather
     if view.use_curve_mapping:
         out.say("Color Management", "curves are not taken into account where errors are judged")
+    if getattr(view, "use_white_balance", False):  # older versions have none
+        out.say("Color Management", "white balance is not taken into account where errors are judged")
     return Display(
         config=config_path(),
         device=scene.display_settings.display_device,
