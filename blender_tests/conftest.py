@@ -5,10 +5,12 @@ from pathlib import Path
 
 import addon_utils
 import bpy
+import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "blender_tests"), str(ROOT / "scenes")]
+from building import lamp, link, material, quad  # noqa: E402 (needs the path)
 from capture import CaptureEngine  # noqa: E402 (needs the path)
 
 
@@ -32,4 +34,14 @@ def scene(gridgather):
     scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
     scene.collection.objects.link(scene.camera)
     scene.camera.location.z = 10
+    return scene
+
+
+@pytest.fixture
+def lit(scene):
+    """A lit floor seen from above."""
+    floor = quad("Floor", size=100)
+    floor.materials.append(material("Floor", (0.5, 0.5, 0.5)))
+    link(floor)
+    lamp("SUN", energy=np.pi)
     return scene

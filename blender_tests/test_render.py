@@ -8,21 +8,10 @@ from types import SimpleNamespace
 
 import bpy
 import numpy as np
-import OpenImageIO as oiio
 import pytest
-from building import add, lamp, link, material, quad, surface
-from gridgather import engine, interface, messages, passes
+from building import add, link, material, quad, surface
+from gridgather import engine, interface, messages
 from pictures import render_pixels
-
-
-@pytest.fixture
-def lit(scene):
-    """A lit floor seen from above."""
-    floor = quad("Floor", size=100)
-    floor.materials.append(material("Floor", (0.5, 0.5, 0.5)))
-    link(floor)
-    lamp("SUN", energy=np.pi)
-    return scene
 
 
 def test_sun_of_irradiance_pi_on_a_half_grey_floor_is_half(lit):
@@ -99,71 +88,6 @@ def test_border_is_part_of_the_whole_picture(lit, crop, method, tolerance):
         assert not outside.any()
         part = part[inside]
     assert np.abs(part - whole[inside]).max() <= tolerance * whole[inside].mean()
-
-
-def multilayer(scene) -> dict:
-    """Channels by name, each float32 (height, width), top row first, of an F12 into a multilayer file."""
-    scene.render.engine = "GRIDGATHER"
-    settings = scene.render.image_settings
-    settings.file_format, settings.color_depth = "OPEN_EXR_MULTILAYER", "32"
-    scene.render.filepath = bpy.app.tempdir + "layers.exr"
-    bpy.ops.render.render(write_still=True)
-    picture = oiio.ImageInput.open(scene.render.filepath)  # not from a cache
-    return dict(zip(picture.spec().channelnames, np.moveaxis(picture.read_image(oiio.FLOAT), 2, 0)))
-
-
-def test_diagnostic_passes_tell_what_pixels_took(lit):
-    link(quad("Wall", size=1), "Wall", location=(0, 0, 0.5), rotation_euler=(np.pi / 2, 0, 0))
-    own = lit.view_layers[0].gridgather
-    assert not any("Samples" in channel for channel in multilayer(lit))
-    for name in passes.PROPERTIES:
-        setattr(own, name, True)
-    channels = multilayer(lit)
-    found = {name: channels[f"ViewLayer.{name}.X"] for name in passes.enabled(lit.view_layers[0])}
-    counts = json.loads(lit.gridgather_statistics)["ViewLayer"]["counts"]
-    rays, senders = found["Visibility Samples"], found["Resampled Senders"]
-    assert rays.sum() == counts["visibility rays"] + counts["near rays"] > 0
-    assert found["Form Factor Samples"].sum() == counts["form factors"]
-    assert 0 <= senders.min() and senders.max() <= counts["resampled senders"]
-    on_surface = found["Surface Sites"]
-    assert 0 <= on_surface.min() and on_surface.max() <= 1
-    lines = found["Cell Lines"]
-    assert set(np.unique(lines)) == {0, 1} and 0.05 < lines.mean() < 0.8
-    judged = ("Threshold Elevation", "Adaptation Luminance", "Site Threshold")
-    assert not any(found[name].any() for name in judged)
-
-
-def test_perception_passes_tell_what_an_eye_sees(lit):
-    dark = quad("Dark", size=1)
-    dark.materials.append(material("Dark", (0.02, 0.02, 0.02)))
-    link(dark, "Dark", location=(0, 0, 0.1))
-    own, settings = lit.view_layers[0].gridgather, lit.gridgather
-    own.use_threshold_elevation = own.use_adaptation_luminance = own.use_site_threshold = True
-    settings.use_perception, settings.display_white, settings.display_black = True, 200, 1
-
-    def found():
-        return [multilayer(lit)[f"ViewLayer.{name}.X"] for name in passes.enabled(lit.view_layers[0])]
-
-    elevation, adaptation, threshold = found()
-    assert 1 <= elevation.min() < 0.5 * elevation.max() <= 5
-    assert 0.9 < adaptation.min() < adaptation.max() < 201.1
-    assert threshold.min() > 0
-    settings.use_masking = False
-    unmasked, _, lower = found()
-    assert (unmasked == 1).all()
-    assert lower.mean() < 0.9 * threshold.mean()
-    settings.noticeable *= 2
-    assert found()[2].mean() == pytest.approx(2 * lower.mean(), rel=0.1)
-
-
-def test_passes_stay_with_their_view_layer(lit):
-    second = lit.view_layers.new("Second")
-    second.gridgather.use_cell_lines = True
-    channels = multilayer(lit)
-    assert [name for name in channels if "Cell Lines" in name] == ["Second.Cell Lines.X"]
-    lit.gridgather.method = "SOLUTION"
-    second.gridgather.use_visibility_samples = True
-    assert not multilayer(lit)["Second.Visibility Samples.X"].any()
 
 
 def test_every_view_of_a_stereo_picture_is_filled(lit, tmp_path):
