@@ -19,7 +19,6 @@ constexpr std::size_t kMeasured = 16;  // receivers that a sender is measured at
 constexpr std::size_t kGlanced = 3;    // and at so many first
 constexpr float kPromising = 0.3F;     // share of the tolerance from which a sender is measured in full
 constexpr float kGlaring = 4;          // times the irradiance of the place, of a sender's radiosity
-constexpr float kDarkest = 0.1F;       // of the mean radiosity: darker places tolerate no less
 constexpr float kFewestSamples = 0.75F, kMostSamples = 4;  // by brightness
 constexpr float kSettled = 0.1F;  // share of the tolerance from which a sender is looked at closely
 constexpr float kLeastSamples = 1;
@@ -32,6 +31,11 @@ bool is_behind(const Box& box, Vec3 on_plane, Vec3 normal) {
 }
 
 }  // namespace
+
+float threshold_at(const ClassifySettings& settings, float radiosity) {
+    constexpr float kDarkest = 0.1F;  // of the mean radiosity: darker places tolerate no less
+    return settings.threshold * std::max(radiosity, kDarkest * settings.mean_radiosity);
+}
 
 Classifier::Classifier(const Solution& solution, const NodeOrder& order, const ClusterPoints& points,
                        const RayTracer& tracer, const ClassifySettings& settings)
@@ -122,6 +126,22 @@ void Classifier::judge(Candidate& candidate, float irradiance, float tolerance) 
     candidate.resample_visibility = candidate.resample_visibility || (candidate.resample_form_factor && !lamp);
 }
 
+// m, the farthest that links know of, or that stands in the way of the first rays.
+float Classifier::occluder_of(const Candidate& candidate) const {
+    constexpr int kFollowed = 8;
+    float farthest = candidate.cut.occluder;
+    int followed = 0;
+    for (std::uint32_t k = candidate.first_ray; k < candidate.first_ray + candidate.ray_count; ++k) {
+        if (blocked_[k] && followed++ < kFollowed) {
+            Ray ray = rays_[k];
+            const float metre = 1 / length(ray.direction);  // in the ray's t
+            ray.far = std::min(ray.far, hierarchy_of(solution_).extent_from(ray.origin) * metre);
+            farthest = std::max(farthest, tracer_.farthest_hit(ray, RayMask::kLight) / metre);
+        }
+    }
+    return farthest;
+}
+
 // Resamples more where the errors that are left add up to too much.
 void Classifier::keep_to_budget(float tolerance) {
     errors_.clear();
@@ -142,18 +162,15 @@ void Classifier::keep_to_budget(float tolerance) {
 
 Site Classifier::classify(std::span<const Receiver> receivers, float threshold) {
     Box bounds;
-    float irradiance = 0, radiosity = 0, reflectance = 0;
     places_.clear();
-    const float share = 1 / static_cast<float>(receivers.size());
     for (const Receiver& receiver : receivers) {
         bounds.extend(receiver.position);
-        irradiance += share * receiver.irradiance;
-        radiosity += share * receiver.reflectance * receiver.irradiance;
-        reflectance += share * receiver.reflectance;
         if (receiver.place != kNone) {
             places_.push_back(receiver.place);
         }
     }
+    const ReceiverMeans means = means_of(receivers);
+    const float irradiance = means.irradiance;
     const Scene& scene = hierarchy_of(solution_).scene();
     cutter_.build({places_, bounds, irradiance}, cut_);
     surroundings_.look_from(receivers);
@@ -161,11 +178,12 @@ Site Classifier::classify(std::span<const Receiver> receivers, float threshold) 
     Site site;
     site.reach = {kFullReach * settings_.reach * bounds.diameter(), settings_.reach * bounds.diameter()};
     site.near_cells = surroundings_.near_cells(site.reach.none);
-    if (!(threshold > 0)) {
-        threshold = settings_.threshold * std::max(radiosity, kDarkest * settings_.mean_radiosity);
+    const bool looked_at = threshold > 0;
+    if (!looked_at) {
+        threshold = threshold_at(settings_, means.radiosity);
     }
-    const float tolerance = threshold / std::max(reflectance, 0.02F);
-    const float brightness = settings_.mean_radiosity > 0 ? radiosity / settings_.mean_radiosity : 1;
+    const float tolerance = threshold / std::max(means.reflectance, 0.02F);
+    const float brightness = settings_.mean_radiosity > 0 ? means.radiosity / settings_.mean_radiosity : 1;
     const float samples =
         static_cast<float>(settings_.samples) * std::clamp(std::sqrt(brightness), kFewestSamples, kMostSamples);
     candidates_.clear();
@@ -213,8 +231,15 @@ Site Classifier::classify(std::span<const Receiver> receivers, float threshold) 
             counts_.only_visibility += !candidate.resample_form_factor;
             counts_.only_form_factor += !candidate.resample_visibility;
             const float importance = luminance(candidate.brings.irradiance) / all;  // [eq. 1]
+            float wanted = samples * importance;
+            if (looked_at) {
+                wanted = shadow_samples(
+                    shadow_on(means, hierarchy_of(solution_), candidate.cut.sender, candidate.brings.direction,
+                              luminance(candidate.brings.irradiance), occluder_of(candidate)),
+                    threshold);
+            }
             site.senders.push_back({candidate.cut.sender, candidate.resample_form_factor, candidate.resample_visibility,
-                                    std::max(kLeastSamples, (candidate.mixed ? 1 : kUnmixed) * samples * importance),
+                                    std::max(kLeastSamples, (candidate.mixed ? 1 : kUnmixed) * wanted),
                                     candidate.visibility, candidate.brings.irradiance, candidate.brings.direction});
         } else if (lamp) {
             site.beams.push_back({candidate.brings.direction, candidate.visibility * candidate.brings.irradiance});

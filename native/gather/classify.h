@@ -10,6 +10,7 @@
 #include "gather/sender_cut.h"
 #include "gather/sender_measure.h"
 #include "gather/sender_points.h"
+#include "gather/shadow_samples.h"
 #include "gather/site.h"
 #include "gather/sky_leaves.h"
 #include "gather/surroundings.h"
@@ -25,13 +26,17 @@ struct ClassifySettings {
     float reach = 1;           // of surfaces that are too close to interpolate, in diameters of the site
 };
 
+// Error that one sender may have where surfaces have that mean radiosity, W/m2.
+[[nodiscard]] float threshold_at(const ClassifySettings& settings, float radiosity);
+
 // Makes sites, one after the other; for one thread.
 class Classifier {
   public:
     Classifier(const Solution& solution, const NodeOrder& order, const ClusterPoints& points, const RayTracer& tracer,
                const ClassifySettings& settings);
 
-    // receivers: at least one. threshold: error of radiosity that one sender may have [W/m2]; 0: by the settings.
+    // receivers: at least one. threshold: error of radiosity that one sender may have where somebody looks [W/m2]; 0:
+    // nobody does, and the settings tell the threshold and the samples.
     [[nodiscard]] Site classify(std::span<const Receiver> receivers, float threshold = 0);
     [[nodiscard]] const GatherCounts& counts() const { return counts_; }
 
@@ -52,6 +57,7 @@ class Classifier {
     [[nodiscard]] float bound(NodeId sender, const Box& box) const;
     void add_rays(Candidate& candidate, std::span<const Receiver> receivers, std::uint32_t count);
     void judge(Candidate& candidate, float irradiance, float tolerance);
+    [[nodiscard]] float occluder_of(const Candidate& candidate) const;
     void keep_to_budget(float tolerance);
 
     const Solution& solution_;

@@ -13,7 +13,6 @@ namespace {
 constexpr float kAlmost = 0.9999F;  // of the way to a sender
 constexpr float kApart = 1e-4F;     // hits closer to one another are one, share of the distance
 constexpr int kMostFaces = 2;       // that a ray may meet
-constexpr float kDarkest = 0.1F;    // of the mean radiosity: darker places tolerate no less
 constexpr std::uint32_t kFewestPoints = 2;
 
 }  // namespace
@@ -72,6 +71,7 @@ void FreeSpaceClassifier::list_candidates(const FreeSpace& space) {
         }
         Candidate candidate;
         candidate.sender = sender.sender;
+        candidate.occluder = sender.occluder;
         candidate.importance =
             luminance(irradiance_vector(solution_, cluster_points_, sender.sender, space.vertex).irradiance);
         all += candidate.importance;
@@ -145,21 +145,18 @@ Site FreeSpaceClassifier::classify(const FreeSpace& space, float threshold) {
     for (const Vec3 point : space.points) {
         bounds.extend(point);
     }
-    float irradiance = 0, radiosity = 0, reflectance = 0;
     places_.clear();
-    const float share = 1 / static_cast<float>(space.receivers.size());
     for (const Receiver& receiver : space.receivers) {
-        irradiance += share * receiver.irradiance;
-        radiosity += share * receiver.reflectance * receiver.irradiance;
-        reflectance += share * receiver.reflectance;
         if (receiver.place != kNone) {
             places_.push_back(receiver.place);
         }
     }
-    if (!(threshold > 0)) {
-        threshold = settings_.threshold * std::max(radiosity, kDarkest * settings_.mean_radiosity);
+    const ReceiverMeans means = means_of(space.receivers);
+    const bool looked_at = threshold > 0;
+    if (!looked_at) {
+        threshold = threshold_at(settings_, means.radiosity);
     }
-    cutter_.build({places_, bounds, irradiance}, cut_);
+    cutter_.build({places_, bounds, means.irradiance}, cut_);
     rays_.clear();
     list_candidates(space);
     for (Candidate& candidate : candidates_) {
@@ -172,15 +169,18 @@ Site FreeSpaceClassifier::classify(const FreeSpace& space, float threshold) {
                                         blocked_.begin() + candidate.first_ray + candidate.ray_count, 1);
         const float visibility =
             candidate.ray_count > 0 ? 1 - static_cast<float>(blocked) / static_cast<float>(candidate.ray_count) : 0;
-        const float form_factor_error = reflectance * (candidate.most - candidate.least) * visibility;  // [eq. 2]
+        const float form_factor_error = means.reflectance * (candidate.most - candidate.least) * visibility;  // [eq. 2]
         const float visibility_error =
-            visibility > 0 && visibility < 1 ? reflectance * luminance(candidate.irradiance) : 0.0F;  // [eq. 3]
+            visibility > 0 && visibility < 1 ? means.reflectance * luminance(candidate.irradiance) : 0.0F;  // [eq. 3]
         const bool form_factor = form_factor_error > threshold, seen = visibility_error > threshold;
         counts_.both += form_factor && seen;
         counts_.only_form_factor += form_factor && !seen;
         counts_.only_visibility += seen && !form_factor;
         if (form_factor || seen) {
-            const float samples = static_cast<float>(settings_.samples) * candidate.importance;
+            const Shadow shadow = shadow_on(means, hierarchy_of(solution_), candidate.sender, candidate.direction,
+                                            luminance(candidate.irradiance), candidate.occluder);
+            const float samples = looked_at ? shadow_samples(shadow, threshold)
+                                            : static_cast<float>(settings_.samples) * candidate.importance;
             site.senders.push_back({candidate.sender, form_factor, seen, std::max(samples, 1.0F), visibility,
                                     candidate.irradiance, candidate.direction});
         } else if (visibility > 0) {
@@ -195,7 +195,8 @@ Site FreeSpaceClassifier::classify(const FreeSpace& space, float threshold) {
         surroundings_.look_from(space.receivers);
         counts_.near_rays += surroundings_.ray_count();
         const std::size_t sky_rays = sky_.ray_count();
-        sky_.find(space.receivers, surroundings_, settings_.sky_leaf * irradiance / world, site.leaves, site.table);
+        sky_.find(space.receivers, surroundings_, settings_.sky_leaf * means.irradiance / world, site.leaves,
+                  site.table);
         counts_.visibility_rays += sky_.ray_count() - sky_rays;
     }
     counts_.points += 1;

@@ -51,6 +51,7 @@ class FreeSpaceClassifier {
   private:
     struct Candidate {
         NodeId sender = kNone;
+        float occluder = 0;         // as of CutSender
         float importance = 0;       // share of all unoccluded irradiance [eq. 1]
         float least = 0, most = 0;  // unoccluded irradiance over the points, luminance, W/m2
         Rgb irradiance{0.0F};       // mean, of a plane that faces the mean direction

@@ -22,12 +22,6 @@ namespace {
 constexpr float kStandardHeight = 350;  // pixels, of pictures that settings are meant for
 constexpr float kLeastCell = 4;         // pixels; in smaller ones little else is seen than what is looked at
 
-// What the radiosity solution says of a fragment, luminance [W/m2].
-float expected_irradiance(const Solution& solution, const Fragment& at) {
-    return luminance(
-        interpolated_irradiance(solution, at.hit.instance, at.hit.triangle, at.back, {at.hit.u, at.hit.v}));
-}
-
 std::vector<TileFragments> trace_tiles(const View& view, const Film& film, Control& control, Statistics& statistics) {
     const StageTimer timer(statistics, "visible points");
     std::vector<TileFragments> tiles(film.tile_count());
@@ -46,7 +40,7 @@ class FullGatherer : public Gatherer {
                std::span<PointCounts> taken) override {
         for (std::size_t i = 0; i < fragments.size(); ++i) {
             const GatherCounts before = gather_.counts();
-            light[i] = {gather_.irradiance(fragments[i], expected_irradiance(solution_, fragments[i])), Rgb(0.0F)};
+            light[i] = {gather_.irradiance(fragments[i], luminance(irradiance_at(solution_, fragments[i]))), Rgb(0.0F)};
             const GatherCounts& now = gather_.counts();
             taken[i] = {static_cast<std::uint32_t>(now.visibility_rays + now.near_rays - before.visibility_rays -
                                                    before.near_rays),
@@ -166,7 +160,7 @@ ViewCounts grid_gather(const Solution& solution, const View& view, const GatherS
         surfaces.emplace(fit_surfaces(solution, grid, tiles, settings.free_space, control));
     }
     const SitePlaces places(grid, surfaces ? &*surfaces : nullptr);
-    const SiteReceivers receivers(solution, places, tiles, seen ? &*seen : nullptr, control);
+    const SiteReceivers receivers(solution, view, places, tiles, seen ? &*seen : nullptr, control);
     timer.reset();
     timer.emplace(statistics, "classification");
     std::vector<float> thresholds;

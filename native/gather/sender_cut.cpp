@@ -39,6 +39,7 @@ void CutBuilder::add_links_to(NodeId receiver) {
         sender.near = sender.near || link.near;
         sender.visibility += area * link.visibility;
         sender.weight += area;
+        sender.occluder = std::max(sender.occluder, link.farthest_occluder);
         for (NodeId above = hierarchy_[link.sender].parent; above != kNone; above = hierarchy_[above].parent) {
             Mark& ancestor = mark(above);
             if (ancestor.above_linked) {
@@ -93,7 +94,7 @@ void CutBuilder::descend(NodeId id, Cover cover, const CutPlace& place, SenderCu
     const Node& node = hierarchy_[id];
     const Mark* found = marks_[id].stamp == stamp_ ? &marks_[id] : nullptr;
     if (found != nullptr && found->linked) {
-        cover = {true, found->near, found->visibility / std::max(found->weight, 1e-30F)};
+        cover = {true, found->near, found->visibility / std::max(found->weight, 1e-30F), found->occluder};
     }
     const bool finer = found != nullptr && found->above_linked;
     if (finer || (cover.covered && should_open(id, place))) {
@@ -104,7 +105,7 @@ void CutBuilder::descend(NodeId id, Cover cover, const CutPlace& place, SenderCu
         if (is_cluster(node) && (cover.near || is_close(node, place))) {
             cut.near.push_back(id);
         } else {
-            cut.senders.push_back({id, cover.visibility});
+            cut.senders.push_back({id, cover.visibility, cover.occluder});
         }
     }
 }

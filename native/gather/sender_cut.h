@@ -20,6 +20,7 @@ struct CutPlace {
 struct CutSender {
     NodeId sender = kNone;
     float visibility = 0;  // 0..1, as links know it
+    float occluder = 0;    // m from the receivers, the farthest that links know of; 0: none
 };
 
 // Disjoint: no sender is an ancestor of another, and of every linked sender each part is covered once.
@@ -41,11 +42,11 @@ class CutBuilder {
     struct Mark {
         std::uint32_t stamp = 0;
         bool linked = false, near = false, above_linked = false;
-        float visibility = 0, weight = 0;
+        float visibility = 0, weight = 0, occluder = 0;
     };
     struct Cover {
         bool covered = false, near = false;
-        float visibility = 0;
+        float visibility = 0, occluder = 0;
     };
 
     Mark& mark(NodeId node);

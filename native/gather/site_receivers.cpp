@@ -13,6 +13,7 @@ namespace gg {
 namespace {
 
 constexpr std::size_t kReceivers = 200;  // of a site
+constexpr float kStrict = 8;             // power of the mean of elevations: about the least of them
 
 // A fragment next to a vertex.
 struct Candidate {
@@ -54,7 +55,7 @@ struct ViewSum {
     std::uint32_t vertex = 0;
     float weight = 0;  // shares of pixels
     Rgb radiance{0.0F};
-    float adaptation = 0, sensitivity = 0;  // one over the elevation
+    float adaptation = 0, sensitivity = 0;  // the latter: elevation to the power of -kStrict
 
     void operator+=(const ViewSum& other) {
         weight += other.weight;
@@ -81,10 +82,9 @@ void combine(std::vector<ViewSum>& sums) {
 ViewSum view_of(const Solution& solution, const TileFragments& tile, std::size_t pixel, const Fragment& at,
                 const MaskingMap& seen) {
     const std::size_t x = tile.tile.x + pixel % tile.tile.width, y = tile.tile.y + pixel / tile.tile.width;
-    const Rgb irradiance =
-        interpolated_irradiance(solution, at.hit.instance, at.hit.triangle, at.back, {at.hit.u, at.hit.v});
     const std::size_t i = y * seen.width + x;
-    return {0, at.share, at.albedo * irradiance / kPi, at.share * seen.adaptation[i], at.share / seen.elevation[i]};
+    return {0, at.share, at.albedo * irradiance_at(solution, at) / kPi, at.share * seen.adaptation[i],
+            at.share * std::pow(seen.elevation[i], -kStrict)};
 }
 
 std::vector<Candidate> candidates_of(const Solution& solution, const SitePlaces& places, const TileFragments& tile,
@@ -115,22 +115,22 @@ std::vector<Candidate> candidates_of(const Solution& solution, const SitePlaces&
     return found;
 }
 
-Receiver make_receiver(const Solution& solution, const Fragment& at, NodeId place) {
+Receiver make_receiver(const Solution& solution, const PixelCamera& camera, const Fragment& at, NodeId place) {
     Receiver receiver;
     receiver.position = offset_origin(at.position, at.normal, 1);
     receiver.normal = at.normal;
     receiver.shading_normal = at.shading_normal;
     receiver.place = place;
     receiver.reflectance = luminance(at.albedo) / std::max(at.share, 1e-6F);
-    receiver.irradiance =
-        luminance(interpolated_irradiance(solution, at.hit.instance, at.hit.triangle, at.back, {at.hit.u, at.hit.v}));
+    receiver.irradiance = luminance(irradiance_at(solution, at));
+    receiver.pixel = camera.pixel_size(at.hit.distance);
     return receiver;
 }
 
 }  // namespace
 
-SiteReceivers::SiteReceivers(const Solution& solution, const SitePlaces& places, std::span<const TileFragments> tiles,
-                             const MaskingMap* seen, const Control& control) {
+SiteReceivers::SiteReceivers(const Solution& solution, const View& view, const SitePlaces& places,
+                             std::span<const TileFragments> tiles, const MaskingMap* seen, const Control& control) {
     std::vector<std::vector<ViewSum>> sums(tiles.size());
     std::vector<Candidate> all = parallel_collect<Candidate>(
         tiles.size(), 1, control, [&](std::size_t begin, std::size_t end, std::vector<Candidate>& out) {
@@ -143,7 +143,8 @@ SiteReceivers::SiteReceivers(const Solution& solution, const SitePlaces& places,
     thin_out(all);
     receivers_.resize(all.size());
     parallel_for(all.size(), 256, control, [&](std::size_t i) {
-        receivers_[i] = make_receiver(solution, tiles[all[i].tile].fragments[all[i].fragment], all[i].place);
+        receivers_[i] =
+            make_receiver(solution, view.camera, tiles[all[i].tile].fragments[all[i].fragment], all[i].place);
     });
     site_of_.assign(places.vertex_count(), kNone);
     double radiosity = 0;
@@ -162,10 +163,10 @@ SiteReceivers::SiteReceivers(const Solution& solution, const SitePlaces& places,
             together.insert(together.end(), of_tile.begin(), of_tile.end());
         }
         combine(together);
-        for (const ViewSum& view : together) {
-            const float share = 1 / std::max(view.weight, 1e-20F);
-            views_.push_back(
-                {share * view.radiance, share * view.adaptation, view.weight / std::max(view.sensitivity, 1e-20F)});
+        for (const ViewSum& sum : together) {
+            const float share = 1 / std::max(sum.weight, 1e-20F);
+            views_.push_back({share * sum.radiance, share * sum.adaptation,
+                              std::pow(sum.weight / std::max(sum.sensitivity, 1e-20F), 1 / kStrict)});
         }
     }
     mean_radiosity_ = static_cast<float>(radiosity / static_cast<double>(std::max<std::size_t>(all.size(), 1)));

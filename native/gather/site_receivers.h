@@ -17,9 +17,9 @@ class Control;
 // Visible points around every vertex that has any, chosen evenly and without regard to their order.
 class SiteReceivers {
   public:
-    // seen: of the picture that the tiles make up; null: nobody looks.
-    SiteReceivers(const Solution& solution, const SitePlaces& places, std::span<const TileFragments> tiles,
-                  const MaskingMap* seen, const Control& control);
+    // tiles: of the view. seen: of the picture that they make up; null: nobody looks.
+    SiteReceivers(const Solution& solution, const View& view, const SitePlaces& places,
+                  std::span<const TileFragments> tiles, const MaskingMap* seen, const Control& control);
 
     [[nodiscard]] std::size_t site_count() const { return begin_.size() - 1; }
     [[nodiscard]] std::span<const Receiver> of(std::size_t site) const {

@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "film/radiosity_view.h"
+#include "gather/receiver.h"
 #include "perception/tvi.h"
 
 namespace gg {
@@ -33,9 +34,7 @@ std::vector<float> shown(const Observer& observer, std::vector<Rgb> pixels, cons
 
 MaskingMap observe(const Observer& observer, const Solution& solution, const View& view,
                    std::span<const TileFragments> tiles, const Control& control) {
-    const auto irradiance_of = [&](const Fragment& at) {
-        return interpolated_irradiance(solution, at.hit.instance, at.hit.triangle, at.back, {at.hit.u, at.hit.v});
-    };
+    const auto irradiance_of = [&](const Fragment& at) { return irradiance_at(solution, at); };
     MaskingMap map = masking_map(view.settings.crop.width, view.settings.crop.height,
                                  shown(observer, radiosity_view(view, tiles, irradiance_of, control), control),
                                  observer.viewing, control);

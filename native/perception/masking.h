@@ -24,6 +24,7 @@ struct MaskingMap {
     std::vector<float> elevation;   // by which factor the threshold of a difference is raised, 1..kMost
 };
 
+// Only patterns of 16 cycles/degree and more count, or of the finest octave if it is coarser.
 // luminance: of a picture on a display [cd/m2], row by row, width * height, finite. Throws Cancelled.
 [[nodiscard]] MaskingMap masking_map(std::uint32_t width, std::uint32_t height, std::vector<float> luminance,
                                      const Viewing& viewing, const Control& control);

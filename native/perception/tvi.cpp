@@ -7,8 +7,6 @@ namespace gg {
 
 namespace {
 
-constexpr float kDarkest = 1e-5F;  // cd/m2; below, nothing changes any more
-
 float log_threshold(float x) {
     if (x < -3.94F) {
         return -2.86F;
@@ -28,7 +26,7 @@ float log_threshold(float x) {
 }  // namespace
 
 float just_noticeable(float adaptation) {
-    return std::pow(10.0F, log_threshold(std::log10(std::max(adaptation, kDarkest))));
+    return std::pow(10.0F, log_threshold(std::log10(std::max(adaptation, kDarkestAdaptation))));
 }
 
 }  // namespace gg

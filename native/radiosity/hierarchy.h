@@ -73,6 +73,8 @@ class Hierarchy {
     [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
     [[nodiscard]] const Node& operator[](NodeId id) const { return nodes_[id]; }
     [[nodiscard]] bool has_geometry() const { return !faces_.instances.nodes.empty(); }
+    // m, farther than which no geometry lies from a point.
+    [[nodiscard]] float extent_from(Vec3 point) const { return length(nodes_[0].center - point) + nodes_[0].radius; }
     // Lamps and sky cells, present from the start.
     [[nodiscard]] const std::vector<NodeId>& infinite_and_lamps() const { return senders_; }
 

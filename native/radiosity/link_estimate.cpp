@@ -222,7 +222,7 @@ Link estimate_link(const Hierarchy& hierarchy, const RayTracer& tracer, NodeId r
     const ShadowRays pairs = make_shadow_rays(hierarchy, to, from, count, samples);
     const Seen seen = trace_shadow_rays(tracer, pairs, count, hierarchy.faces().patches.reach);
     if (samples == SampleSet::kLink && seen.visibility > 0 && seen.visibility < 1) {
-        find_occluders(tracer, pairs, seen, link);
+        find_occluders(hierarchy, tracer, pairs, seen, link);
     }
     if (lighting && from.kind == NodeKind::kElement && from.patch == kNone && is_uneven(*lighting, sender)) {
         const float brightness = brightness_of_nearer_parts(*lighting, to, sender, from) *

@@ -115,7 +115,8 @@ Seen trace_shadow_rays(const RayTracer& tracer, const ShadowRays& pairs, int cou
     return result;
 }
 
-void find_occluders(const RayTracer& tracer, const ShadowRays& pairs, const Seen& seen, Link& link) {
+void find_occluders(const Hierarchy& hierarchy, const RayTracer& tracer, const ShadowRays& pairs, const Seen& seen,
+                    Link& link) {
     constexpr int kEnough = 4;  // blocked rays that are followed
     float nearest = kInfinity;
     int followed = 0;
@@ -124,19 +125,15 @@ void find_occluders(const RayTracer& tracer, const ShadowRays& pairs, const Seen
             continue;
         }
         ++followed;
-        const Ray& ray = pairs.rays[i];
+        Ray ray = pairs.rays[i];
         const Hit first = tracer.closest_hit(ray, RayMask::kLight);
-        if (first.missed()) {
-            continue;
+        if (!first.missed()) {
+            ray.far = std::min(ray.far, hierarchy.extent_from(ray.origin) / length(ray.direction));
+            const float last = tracer.farthest_hit(ray, RayMask::kLight);
+            nearest = std::min(nearest, first.distance * pairs.lengths[i]);
+            link.farthest_occluder =
+                std::max(link.farthest_occluder, std::max(last, first.distance) * pairs.lengths[i]);
         }
-        nearest = std::min(nearest, first.distance * pairs.lengths[i]);
-        float last = first.distance;
-        if (!std::isinf(ray.far)) {
-            const Hit reverse =
-                tracer.closest_hit({ray.origin + ray.direction, -ray.direction, 0, ray.far}, RayMask::kLight);
-            last = reverse.missed() ? last : 1 - reverse.distance;
-        }
-        link.farthest_occluder = std::max(link.farthest_occluder, last * pairs.lengths[i]);
     }
     link.nearest_occluder = std::isinf(nearest) ? 0 : nearest;
 }

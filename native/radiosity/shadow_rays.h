@@ -38,6 +38,7 @@ struct Seen {
 [[nodiscard]] Seen trace_shadow_rays(const RayTracer& tracer, const ShadowRays& pairs, int count, float reach);
 
 // Sets where the link's occluders are, seen from the receiver.
-void find_occluders(const RayTracer& tracer, const ShadowRays& pairs, const Seen& seen, Link& link);
+void find_occluders(const Hierarchy& hierarchy, const RayTracer& tracer, const ShadowRays& pairs, const Seen& seen,
+                    Link& link);
 
 }  // namespace gg

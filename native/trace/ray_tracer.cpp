@@ -103,6 +103,11 @@ Hit RayTracer::closest_hit(const Ray& ray, RayMask mask) const {
     return read_hit(embree_ray, 0);
 }
 
+float RayTracer::farthest_hit(const Ray& ray, RayMask mask) const {
+    const Hit hit = closest_hit({ray.origin + ray.far * ray.direction, -ray.direction, 0, ray.far - ray.near}, mask);
+    return hit.missed() ? 0 : ray.far - hit.distance;
+}
+
 bool RayTracer::occluded(const Ray& ray, RayMask mask) const {
     if (!traceable(ray)) {
         return false;

@@ -48,6 +48,8 @@ class RayTracer {
     RayTracer& operator=(const RayTracer&) = delete;
 
     [[nodiscard]] Hit closest_hit(const Ray& ray, RayMask mask) const;
+    // Distance [the ray's t] of what lies last on it, up to a finite far end; none: 0.
+    [[nodiscard]] float farthest_hit(const Ray& ray, RayMask mask) const;
     [[nodiscard]] bool occluded(const Ray& ray, RayMask mask) const;
 
     // The same for many rays, traced as packets; hits.size() and results.size() equal rays.size().

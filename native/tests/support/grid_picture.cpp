@@ -67,7 +67,7 @@ GridPicture::GridPicture(const SceneDescription& description, const CameraDescri
       grid(grid_of(view, tiles, settings)),
       surfaces(fit_surfaces(*solution, grid, tiles, false, prepared.control)),
       places(grid, settings.surfaces ? &surfaces : nullptr),
-      receivers(*solution, places, tiles, nullptr, prepared.control) {
+      receivers(*solution, view, places, tiles, nullptr, prepared.control) {
     ClassifySettings classify;
     classify.samples = settings.samples;
     classify.threshold = settings.threshold;
