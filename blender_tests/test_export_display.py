@@ -76,6 +76,24 @@ def test_display_is_that_of_the_scene_and_its_user(scene):
     assert settings.display.look == "" and settings.display.device == scene.display_settings.display_device
 
 
+def test_masking_is_for_stills(scene):
+    own = scene.gridgather
+    assert (own.shown_as, export().settings.use_masking) == ("STILL", True)
+    own.shown_as = "WALKTHROUGH"
+    assert not export().settings.use_masking
+    own.shown_as, own.use_masking = "STILL", False
+    assert not export().settings.use_masking
+
+
+def test_paper_is_judged_as_shown(scene):
+    scene.gridgather.preset = "PAPER"
+    settings = export().settings
+    assert settings.display is not None
+    assert (settings.noticeable, settings.use_masking) == (1, True)
+    scene.gridgather.preset = "FINAL"
+    assert export().settings.display is None and export().settings.noticeable == 0.25
+
+
 def test_nobody_looks_unless_asked_to(scene):
     assert export().settings.display is None
 

@@ -82,9 +82,13 @@ class GRIDGATHER_PT_perception(_RenderPanel, Panel):
         layout = _split_layout(self)
         settings = context.scene.gridgather
         layout.active = settings.use_perception and settings.method == "GATHER"
-        for name in ("noticeable", "use_masking", "display_white", "display_black", "viewing_distance"):
+        layout.prop(settings, "noticeable")
+        layout.prop(settings, "shown_as", expand=True)
+        row = layout.row()
+        row.active = settings.shown_as == "STILL"
+        row.prop(settings, "use_masking")
+        for name in ("display_white", "display_black", "viewing_distance", "display_density"):
             layout.prop(settings, name)
-        layout.prop(settings, "display_density")
 
 
 class GRIDGATHER_PT_gather(_RenderPanel, Panel):

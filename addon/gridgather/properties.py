@@ -5,7 +5,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, Po
 
 from . import messages
 
-# What each preset sets. Paper: as published, with the threshold of an eye that is used to the brightness.
+# What each preset sets. Paper: as published, with errors that an eye just notices.
 _STANDARD = {
     "quality": 0.02,
     "threshold": 3.0,
@@ -13,13 +13,22 @@ _STANDARD = {
     "cell_size": 20.0,
     "receivers": "VISIBLE",
     "depth_law": "LOGARITHMIC",
+    "use_perception": False,
+    "noticeable": 0.25,
 }
 PRESETS = {
     "DRAFT": _STANDARD | {"quality": 0.08, "threshold": 10.0, "gather_samples": 128, "cell_size": 28.0},
     "PREVIEW": _STANDARD | {"quality": 0.04, "threshold": 5.0, "gather_samples": 256},
     "FINAL": _STANDARD,
     "PAPER": _STANDARD
-    | {"threshold": 1.4, "gather_samples": 256, "receivers": "FREE_SPACE", "depth_law": "RECIPROCAL"},
+    | {
+        "threshold": 1.4,
+        "gather_samples": 256,
+        "receivers": "FREE_SPACE",
+        "depth_law": "RECIPROCAL",
+        "use_perception": True,
+        "noticeable": 1.0,
+    },
 }
 
 
@@ -87,23 +96,32 @@ class GridgatherSettings(bpy.types.PropertyGroup):
     )
     use_perception: BoolProperty(
         name="Judge as Shown",
-        default=False,
-        description="Judge errors as they show on a display, through the scene's view transform, instead of as a share "
-        "of the light: dark places have fewer rays",
+        default=_STANDARD["use_perception"],
+        description="Judge errors and steps in shadows as they show on a display, through the scene's view transform, "
+        "instead of as a share of the light: what nobody would see has fewer rays",
     )
     noticeable: FloatProperty(
         name="Noticeable",
-        default=0.25,
+        default=_STANDARD["noticeable"],
         min=0.01,
         max=100.0,
         soft_max=2.0,
-        description="Error that the light of one sender may have before it is worked out anew at every point, in just "
-        "noticeable differences. Lower is slower",
+        description="Error that the light of one sender may have before it is worked out anew at every point, and "
+        "height of the steps that its shadow may have, in just noticeable differences. Lower is slower",
+    )
+    shown_as: EnumProperty(
+        name="Shown As",
+        items=(
+            ("STILL", "Still", "One picture: patterns may hide errors"),
+            ("WALKTHROUGH", "Walkthrough", "Pictures in a row: an error that a pattern hides in one is seen to move"),
+        ),
+        default="STILL",
+        description="Masking is left out of a walkthrough, where what patterns hide would flicker",
     )
     use_masking: BoolProperty(
         name="Masking",
         default=True,
-        description="Allow larger errors where textures, leaves and edges hide them",
+        description="In a still, allow larger errors where textures and leaves hide them",
     )
     display_white: FloatProperty(
         name="White",

@@ -13,7 +13,7 @@ namespace gg {
 namespace {
 
 constexpr std::size_t kReceivers = 200;  // of a site
-constexpr float kStrict = 8;             // power of the mean of elevations: about the least of them
+constexpr float kStrict = 4;             // power of the mean of elevations: nearer to the least of them
 
 // A fragment next to a vertex.
 struct Candidate {

@@ -32,7 +32,8 @@ struct Observer {
 struct SiteView {
     Rgb radiance{0.0F};    // reflected, by the radiosity solution
     float adaptation = 0;  // cd/m2
-    float elevation = 1;  // of the threshold, by patterns: about the least, for where nothing hides an error it is seen
+    float elevation =
+        1;  // of the threshold, by patterns: nearer to the least, for an error is seen where nothing hides it
 };
 
 // For each site the error of radiosity [W/m2], in light of its own brightness, that shows as observer.noticeable;

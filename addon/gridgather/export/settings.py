@@ -41,7 +41,7 @@ def export_settings(scene, width: int, height: int) -> Settings:
         threshold=own.threshold / 100,
         gather_samples=own.gather_samples,
         noticeable=own.noticeable,
-        use_masking=own.use_masking,
+        use_masking=own.use_masking and own.shown_as == "STILL",
         film_transparent=render.film_transparent,
         threads=render.threads if render.threads_mode == "FIXED" else 0,
     )
