@@ -19,7 +19,7 @@ GATHER_STAGES = ("visible points", "classification", "shading")
 
 def parse(arguments):
     parser = argparse.ArgumentParser(prog="scenes/render", description=__doc__.splitlines()[0])
-    parser.add_argument("scene", choices=files.scene_names())
+    parser.add_argument("scene", choices=files.all_scene_names())
     parser.add_argument("--engine", default="GRIDGATHER", help="GRIDGATHER or CYCLES")
     parser.add_argument("--percent", type=int, default=100, help="size of the picture, of the scene's own")
     parser.add_argument("--size", help="the picture's own size in pixels instead of the scene's: WIDTHxHEIGHT")

@@ -14,6 +14,7 @@ SCENES = Path(__file__).resolve().parent
 BUILD = SCENES.parent / "build"
 TRUTH_SAMPLES = {"attic": 4096, "cornell_box": 4096, "furnace": 64, "library": 4096, "room": 1024, "startup": 4096,
                  "toy_room": 4096}
+FIGURE_SCENES = ("masking", "penumbra")  # that have no truths
 TRUTH_PERCENT = 50  # of the scene's own picture size
 
 
@@ -28,7 +29,12 @@ def set_up():
 
 
 def scene_names():
+    """Scenes that have truths."""
     return sorted(TRUTH_SAMPLES)
+
+
+def all_scene_names():
+    return sorted([*TRUTH_SAMPLES, *FIGURE_SCENES])
 
 
 def sources_hash(name):
@@ -47,8 +53,8 @@ def sources_hash(name):
 
 def scene_hash(name):
     """The hash of all that builds a scene."""
-    if not (SCENES / f"{name}.py").is_file() or name not in TRUTH_SAMPLES:
-        raise SceneError(f"no scene {name!r}; there are: {', '.join(scene_names())}")
+    if not (SCENES / f"{name}.py").is_file() or name not in all_scene_names():
+        raise SceneError(f"no scene {name!r}; there are: {', '.join(all_scene_names())}")
     return sources_hash(name)
 
 

@@ -83,6 +83,7 @@ class SiteGatherer : public Gatherer {
             placed_.push_back(placed(has_all_sites(at) ? at : whole));
             placed_.back().at = at;
             placed_.back().soft = soft;
+            placed_.back().part = static_cast<std::uint32_t>(placed_.size() - 1);
         }
         shader_.shade(placed_, light, taken);
     }

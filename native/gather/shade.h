@@ -29,6 +29,7 @@ struct PlacedFragment {
     std::uint32_t count = 0;                 // of sites
     float on_surface = 0;                    // weight of those on the fragment's surface
     std::optional<Rgb> soft = std::nullopt;  // if it is known: PointLight::soft
+    std::uint32_t part = 0;                  // of fragments whose mean counts: which, for each sees other points
 
     [[nodiscard]] std::span<const WeightedSite> sites() const { return std::span(around).first(count); }
 };
@@ -83,6 +84,7 @@ class Shader {
     // A point that looks at the sender of the moment.
     struct Member {
         std::uint32_t point = 0, task = 0;
+        std::uint32_t first = 0;        // of the sender's points that it sees
         std::uint32_t whole = 0;        // samples of its visibility
         float of_all = 0, of_last = 0;  // share of a sample, and of one after the last whole one
 

@@ -104,8 +104,9 @@ void Shader::work_out_form_factors() {
     }
 }
 
-// Rays of the members to a prefix of the sender's points: all that go to the same one together. The last one counts
-// by the fraction of the sample number, so that a number that changes from point to point changes nothing at once.
+// Rays of the members to a prefix of the sender's points, or to those that follow for other parts of a pixel: all that
+// go to the same one together. The last one counts by the fraction of the sample number, so that a number that changes
+// from point to point changes nothing at once.
 // Where all of the prefix turns away from a point that sees other parts of the sender, what the sites know counts
 // instead.
 void Shader::add_rays(std::span<const PlacedFragment> fragments) {
@@ -122,7 +123,9 @@ void Shader::add_rays(std::span<const PlacedFragment> fragments) {
         member.of_all =
             (1 - fraction) / static_cast<float>(member.whole) + fraction / static_cast<float>(member.whole + 1);
         member.of_last = fraction / static_cast<float>(member.whole + 1);
-        most = std::max(most, member.count());
+        // Few points of a prefix say little of a shadow with holes, and for all parts of a pixel the same.
+        member.first = fragments[member.point].part * member.count() % (group_.most_points() - member.count() + 1);
+        most = std::max(most, member.first + member.count());
         task.sent = kDoubt * group_.facing_weight(points_[member.point].x);
         task.seen = task.expected * task.sent;
     }
@@ -131,11 +134,14 @@ void Shader::add_rays(std::span<const PlacedFragment> fragments) {
         group_.see(i, seen_);
         for (std::size_t k = 0; k < members_.size(); ++k) {
             const Member& member = members_[k];
-            if (i < member.count() && seen_.weight[k] > 0) {
+            const std::uint32_t own = i - member.first;  // beyond count() also where i is before the first
+            if (own < member.count() && seen_.weight[k] > 0) {
                 const Vec3 direction = seen_.direction(k);
-                const float weight = seen_.weight[k] * (i < member.whole ? member.of_all : member.of_last);
+                const float weight = seen_.weight[k] * (own < member.whole ? member.of_all : member.of_last);
                 if (dot(direction, fragments[member.point].at.normal) > 0) {
                     add_ray({member.point, member.task, weight}, direction, far);
+                } else {
+                    tasks_[member.task].sent += weight;  // its own surface is in the way
                 }
             }
         }

@@ -11,7 +11,7 @@ namespace gg {
 
 namespace {
 
-constexpr float kFewest = 4, kMost = 256;
+constexpr float kFewest = 4, kMost = 1024;
 constexpr float kStepsPerPixel = 8;    // for they are not all equally wide, and a pixel is looked at in one place
 constexpr float kMostGrazing = 0.25F;  // cosine from which a penumbra is not taken to be wider
 

@@ -123,6 +123,20 @@ struct OneSender {
         site.senders.front().samples = samples;
         return luminance(light_at(shader, {PlacedFragment{at, {WeightedSite{&site, 1}}, 1}}).front());
     }
+    // Mean over parts of a pixel that lie in one place.
+    float light_of_parts(float samples, std::uint32_t parts) {
+        site.senders.front().samples = samples;
+        std::vector<PlacedFragment> all;
+        for (std::uint32_t part = 0; part < parts; ++part) {
+            all.push_back({at, {WeightedSite{&site, 1}}, 1});
+            all.back().part = part;
+        }
+        float sum = 0;
+        for (const Rgb& light : light_at(shader, all)) {
+            sum += luminance(light) / static_cast<float>(parts);
+        }
+        return sum;
+    }
     float unoccluded() {
         Site all = site;
         all.senders.front().resample_visibility = false;
@@ -173,6 +187,24 @@ TEST(Continuity, light_follows_the_number_of_samples) {
             const float now = lamp.light(samples);
             EXPECT_LT(std::abs(now - before), 1.5F * all * kStep / std::ceil(samples)) << samples;
             before = now;
+        }
+    }
+    EXPECT_GE(partly, 5);
+}
+
+// Four parts of a pixel with 8 samples each see together what one with 32 sees, and as exactly.
+TEST(Continuity, parts_of_a_pixel_see_points_of_their_own) {
+    const GridPicture picture = picture_of(viewed_lamp_room());
+    Shader shader = picture.shader();
+    const NodeId id = nodes_of(picture, NodeKind::kLamp).front();
+    int partly = 0;
+    for (const Fragment& at : picture.some_fragments(200)) {
+        OneSender lamp(shader, at, id);
+        const float all = lamp.unoccluded(), seen = lamp.light(32);
+        if (seen > 0.05F * all && seen < 0.95F * all && is_evenly_sampled(picture, at, id)) {
+            ++partly;
+            EXPECT_NEAR(lamp.light_of_parts(8, 4) / all, seen / all, 0.02F);
+            EXPECT_NEAR(lamp.light_of_parts(1024, 2) / all, lamp.light(1024) / all, 1e-5F);  // there are no more
         }
     }
     EXPECT_GE(partly, 5);

@@ -95,7 +95,7 @@ TEST(ShadowSamples, are_as_many_as_steps_that_can_be_seen) {
     EXPECT_EQ(shadow_samples(shadow, 1 / 150.0F), 4);
     EXPECT_EQ(shadow_samples(penumbra(), 1e-6F), 200);
     shadow.occluder = 0;
-    EXPECT_EQ(shadow_samples(shadow, 1e-6F), 256);
+    EXPECT_EQ(shadow_samples(shadow, 1e-6F), 1024);
 }
 
 // What sites ask for of all senders that some of their rays reach.
@@ -118,7 +118,7 @@ class SitesLookedAt : public testing::Test {
             }
             for (const SiteSender& sender : classifier.classify(receivers, threshold).senders) {
                 EXPECT_GE(sender.samples, 1);
-                EXPECT_LE(sender.samples, 256);
+                EXPECT_LE(sender.samples, 1024);
                 sum += sender.visibility > 0 && sender.visibility < 1 ? sender.samples : 0;
             }
         }

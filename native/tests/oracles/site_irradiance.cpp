@@ -113,14 +113,17 @@ class Evaluation {
         const std::size_t first = rays_ != nullptr ? rays_->size() : 0;
         for (std::uint32_t i = 0; i < count; ++i) {
             const SenderPoint to = point_of(sender, i);
-            if (!(to.weight > 0) || !(dot(to.direction, placed_.at.normal) > 0)) {
+            if (!(to.weight > 0)) {
                 continue;
             }
             // In the mean over the first `whole` samples, and in that with the next one.
             const double of_whole = i < whole ? (1 - fraction) / whole : 0, of_more = fraction / (whole + 1);
             const double weight = (of_whole + of_more) * static_cast<double>(to.weight);
-            const bool visible = is_seen(to.direction, to.infinite);
             sent += weight;
+            if (!(dot(to.direction, placed_.at.normal) > 0)) {
+                continue;  // its own surface is in the way
+            }
+            const bool visible = is_seen(to.direction, to.infinite);
             seen += visible ? weight : 0;
             record({RayKind::kSender, sender, i, visible ? kNone : 0, weight_ * light * weight});
         }
