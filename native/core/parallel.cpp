@@ -10,6 +10,10 @@
 
 namespace gg {
 
+int thread_count() {
+    return tbb::this_task_arena::max_concurrency();
+}
+
 void run_with_threads(int threads, const std::function<void()>& work) {
     tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
     arena.execute(work);

@@ -14,6 +14,9 @@ class Control;
 // Runs `work` with at most `threads` threads (0: all cores) in every loop that it starts.
 void run_with_threads(int threads, const std::function<void()>& work);
 
+// That loops which are started here may use.
+[[nodiscard]] int thread_count();
+
 // body(begin, end) for consecutive blocks of `block` items that cover [0, count). Throws Cancelled between blocks.
 void parallel_blocks(std::size_t count, std::size_t block, const Control& control,
                      const std::function<void(std::size_t, std::size_t)>& body);

@@ -11,6 +11,7 @@ struct GatherCounts {
     std::uint64_t form_factors = 0;     // worked out at points
     std::uint64_t visibility_rays = 0;  // to senders
     std::uint64_t near_rays = 0;        // in fixed directions
+    double visibility_seconds = 0;      // that rays to senders and the sky took, of all threads
     double on_surface = 0;              // sum over points of the weight of sites on their own surface
     // Senders of sites that are resampled: both terms, or one alone.
     std::uint64_t both = 0, only_visibility = 0, only_form_factor = 0;
@@ -21,6 +22,7 @@ struct GatherCounts {
         form_factors += other.form_factors;
         visibility_rays += other.visibility_rays;
         near_rays += other.near_rays;
+        visibility_seconds += other.visibility_seconds;
         on_surface += other.on_surface;
         both += other.both;
         only_visibility += other.only_visibility;

@@ -27,6 +27,7 @@ void report(const GatherCounts& total, Statistics& statistics) {
     statistics.set_count("form factors", static_cast<double>(total.form_factors));
     statistics.set_count("visibility rays", static_cast<double>(total.visibility_rays));
     statistics.set_count("near rays", static_cast<double>(total.near_rays));
+    statistics.add_seconds("shading: visibility", total.visibility_seconds / thread_count());
 }
 
 // What all points of a pixel took.

@@ -1,6 +1,7 @@
 #include "gather/shade.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "gather/merge_lists.h"
@@ -61,6 +62,7 @@ void Shader::plan(const PlacedFragment& fragment) {
 }
 
 void Shader::trace() {
+    const auto start = std::chrono::steady_clock::now();
     blocked_.resize(rays_.size());
     // Those to the sky are parallel, and most reach it. Those to senders part.
     const auto trace = [&](std::size_t begin, std::size_t end, Coherence coherence) {
@@ -69,6 +71,7 @@ void Shader::trace() {
     };
     trace(0, sky_rays_, Coherence::kCoherent);
     trace(sky_rays_, rays_.size(), Coherence::kIncoherent);
+    counts_.visibility_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const Rgb world = hierarchy_of(solution_).scene().world;
     for (const RayOwner& owner : owners_) {
         ++points_[owner.point].taken.visibility_rays;
