@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+import OpenImageIO as oiio
 
 
 def render_pixels(scene, engine, name="picture.exr"):
@@ -26,3 +27,14 @@ def cycles_pixels(scene, samples):
     cycles.max_bounces = cycles.diffuse_bounces = 32
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0
     return render_pixels(scene, "CYCLES", "cycles.exr")
+
+
+def multilayer(scene) -> dict:
+    """Channels by name, each float32 (height, width), top row first, of an F12 into a multilayer file."""
+    scene.render.engine = "GRIDGATHER"
+    settings = scene.render.image_settings
+    settings.file_format, settings.color_depth = "OPEN_EXR_MULTILAYER", "32"
+    scene.render.filepath = bpy.app.tempdir + "layers.exr"
+    bpy.ops.render.render(write_still=True)
+    picture = oiio.ImageInput.open(scene.render.filepath)  # not from a cache
+    return dict(zip(picture.spec().channelnames, np.moveaxis(picture.read_image(oiio.FLOAT), 2, 0)))

@@ -2,23 +2,11 @@
 
 import json
 
-import bpy
 import numpy as np
-import OpenImageIO as oiio
 import pytest
 from building import link, material, quad
 from gridgather import passes
-
-
-def multilayer(scene) -> dict:
-    """Channels by name, each float32 (height, width), top row first, of an F12 into a multilayer file."""
-    scene.render.engine = "GRIDGATHER"
-    settings = scene.render.image_settings
-    settings.file_format, settings.color_depth = "OPEN_EXR_MULTILAYER", "32"
-    scene.render.filepath = bpy.app.tempdir + "layers.exr"
-    bpy.ops.render.render(write_still=True)
-    picture = oiio.ImageInput.open(scene.render.filepath)  # not from a cache
-    return dict(zip(picture.spec().channelnames, np.moveaxis(picture.read_image(oiio.FLOAT), 2, 0)))
+from pictures import multilayer
 
 
 def test_diagnostic_passes_tell_what_pixels_took(lit):

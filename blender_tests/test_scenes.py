@@ -5,8 +5,8 @@ import json
 import bpy
 import numpy as np
 import pytest
-from pictures import render_pixels
-from scene_files import TRUTH_PERCENT, check_truth, scene_file, scene_names
+from pictures import multilayer, render_pixels
+from scene_files import TRUTH_PERCENT, all_scene_names, check_truth, scene_file
 
 WIDTH = 160
 BOUNDS = {"cornell_box": 0.04, "startup": 0.011}  # rel_rmse
@@ -35,13 +35,49 @@ def rendered(name, preset, threads=0, flat=False, method="GATHER"):
     return pixels, statistics
 
 
-@pytest.mark.parametrize("name", scene_names())
+@pytest.mark.parametrize("name", all_scene_names())
 def test_scene_renders(name):
     pixels, statistics = rendered(name, "DRAFT")
     assert WIDTH * 0.95 < pixels.shape[1] <= WIDTH
     assert np.isfinite(pixels).all() and pixels.min() >= 0
     assert pixels[..., :3].mean() > 0.01 and pixels[..., :3].std() > 0.001
     assert statistics["counts"] and sum(statistics["stages"].values()) > 0
+
+
+def visibility_rays(scene):
+    render_pixels(scene, "GRIDGATHER")
+    (statistics,) = json.loads(scene.gridgather_statistics).values()
+    return statistics["counts"]["visibility rays"]
+
+
+def test_patterns_save_samples_of_stills_by_the_preset_paper():
+    bpy.ops.wm.open_mainfile(filepath=str(scene_file("masking")))
+    scene = bpy.context.scene
+    scene.render.resolution_percentage = 50
+    scene.gridgather.preset = "PAPER"
+    masked = visibility_rays(scene)
+    scene.gridgather.shown_as = "WALKTHROUGH"
+    assert 0.55 < masked / visibility_rays(scene) < 0.92
+
+
+def test_a_shadow_takes_fewer_samples_from_afar_and_in_the_dark():
+    bpy.ops.wm.open_mainfile(filepath=str(scene_file("penumbra")))
+    scene = bpy.context.scene
+    settings = scene.gridgather
+    settings.preset, settings.noticeable, settings.use_masking = "PAPER", 0.05, False
+    scene.view_layers[0].gridgather.use_visibility_samples = True
+
+    def samples():
+        found = multilayer(scene)["ViewLayer.Visibility Samples.X"]
+        return np.median(found[found > 4])
+
+    near = samples()
+    assert near > 50
+    scene.camera = bpy.data.objects["far"]
+    assert 2.5 < near / samples() < 5.5
+    scene.camera = bpy.data.objects["near"]
+    scene.view_settings.exposure = -8
+    assert samples() < 0.5 * near
 
 
 @pytest.mark.parametrize("method", ["SOLUTION", "GATHER", "FULL"])

@@ -1,4 +1,4 @@
-"""After figure 4 of the paper: one soft shadow three times, on a plain floor, on a patterned one, and behind a plant."""
+"""After figure 4 of the paper: one soft shadow on a plain floor, on a patterned one, and behind a plant."""
 import sys
 from pathlib import Path
 

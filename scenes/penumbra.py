@@ -1,7 +1,7 @@
-"""After figure 6 of the paper: a board leans over a floor, so that its shadow is sharp at one end and blurred at the other.
+"""After figure 6 of the paper: a board leans over a floor; its shadow is sharp at one end and blurred at the other.
 
-Cameras "near" (the scene's own) and "far", four times as far off; penumbra_far.py and penumbra_dim.py change to that, and
-to a lamp of a sixth.
+Cameras "near" (the scene's own) and "far", four times as far off; penumbra_far.py and penumbra_dim.py change to that,
+and to a lamp of a sixth.
 """
 import math
 import sys

@@ -33,6 +33,8 @@ def parse(arguments):
     parser.add_argument("--gather-samples", type=int, help="scene.gridgather.gather_samples")
     parser.add_argument("--cell-size", type=float, help="scene.gridgather.cell_size")
     parser.add_argument("--samples", type=int, help="samples a pixel")
+    parser.add_argument("--passes", nargs="+", default=[], metavar="PASS",
+                        help="of the gather, as visibility_samples: into a multi-layer OpenEXR besides")
     parser.add_argument("--threads", type=int, help="number of threads (default: all)")
     parser.add_argument("--out", type=Path, default=files.BUILD / "renders", help="folder of the pictures")
     return parser.parse_args(arguments)
@@ -57,14 +59,17 @@ def render(options):
 def render_file(blend, stem, options):
     """Render a .blend file; the products' paths are `stem` and a suffix.
 
-    Returns {"exr", "png": path, "whole", "render", "work": seconds, "peak": bytes, "statistics": {view layer: table}}.
+    Returns {"exr", "png", with passes "layers": path, "whole", "render", "work": seconds, "peak": bytes,
+    "statistics": {view layer: table}}.
     """
     stem.parent.mkdir(parents=True, exist_ok=True)
     products = {kind: stem.with_name(f"{stem.name}.{kind}") for kind in ("exr", "png", "json")}
+    if options.passes:
+        products["layers"] = stem.with_name(f"{stem.name}-passes.exr")
     for product in products.values():
         product.unlink(missing_ok=True)
     wishes = {key: value for key, value in vars(options).items() if key not in ("scene", "out")}
-    wishes.update(exr=str(products["exr"]), png=str(products["png"]), json=str(products["json"]))
+    wishes.update({kind: str(product) for kind, product in products.items()})
     arguments = ["--addons", "gridgather"] if options.engine == "GRIDGATHER" else []
     arguments += [blend, "--python", files.SCENES / "render_scene.py", "--", json.dumps(wishes)]
     start = time.monotonic()
@@ -74,7 +79,7 @@ def render_file(blend, stem, options):
         if not product.exists():
             raise files.SceneError(f"Blender ended without writing {product}")
     return {"whole": whole, **json.loads(products["json"].read_text()),
-            "exr": str(products["exr"]), "png": str(products["png"])}
+            **{kind: str(product) for kind, product in products.items() if kind != "json"}}
 
 
 def flat(table, prefix=""):

@@ -2,7 +2,7 @@
 
 JSON holds the wishes (engine, percent, size, threads, the settings of the engine by their names; null: as the scene has
 it) and the paths to write: exr, png, json (seconds of the render, of all processors' work for it, the peak memory in
-bytes, the statistics).
+bytes, the statistics) and, if passes of the gather are wished for, layers: an OpenEXR with all of them.
 """
 import json
 import resource
@@ -43,8 +43,13 @@ def main():
     wishes = json.loads(sys.argv[sys.argv.index("--") + 1])
     scene = bpy.context.scene
     set_up(scene, wishes)
+    for name in wishes["passes"]:
+        setattr(scene.view_layers[0].gridgather, f"use_{name}", True)
+    if wishes["passes"]:
+        scene.render.filepath, scene.render.use_file_extension = wishes["layers"], False
+        scene.render.image_settings.file_format = "OPEN_EXR_MULTILAYER"
     start, work = time.monotonic(), time.process_time()
-    bpy.ops.render.render()  # raises when the engine reports an error
+    bpy.ops.render.render(write_still=bool(wishes["passes"]))  # raises when the engine reports an error
     seconds, work = time.monotonic() - start, time.process_time() - work
     write(scene, wishes["exr"], "OPEN_EXR", "32")
     write(scene, wishes["png"], "PNG", "8")
