@@ -98,10 +98,32 @@ def test_nobody_looks_unless_asked_to(scene):
     assert export().settings.display is None
 
 
-def test_curves_are_named(scene):
-    scene.gridgather.use_perception = True
+def bend(mapping, curve, *points):
+    """New points for one of the mapping's curves, which has two."""
+    for point, place in zip(mapping.curves[curve].points, points):
+        point.location = place
+    for place in points[2:]:
+        mapping.curves[curve].points.new(*place)
+    mapping.update()
+
+
+@pytest.mark.parametrize("view, extend", [("Standard", "EXTRAPOLATED"), ("Filmic", "HORIZONTAL")])
+def test_curves_are_those_of_the_view(scene, tmp_path, view, extend):
+    show_as(scene, view, "None", 0.5, 1.0)
     scene.view_settings.use_curve_mapping = True
-    assert any("curves" in text for _, text in export().scene.messages)
+    mapping = scene.view_settings.curve_mapping
+    mapping.extend = extend
+    mapping.black_level, mapping.white_level = (0.02, 0, 0), (0.9, 1, 1.5)
+    bend(mapping, 0, (0, 0.1), (1, 0.8), (0.3, 0.5))
+    bend(mapping, 2, (0, 0), (1, 0.6))
+    bend(mapping, 3, (0, 0), (1, 1), (0.5, 0.4))
+    pixels = ramp()
+    ours = session.encode_for_display(display.export_display(scene, description.Scene()), pixels)
+    saved = saved_by_blender(scene, pixels, tmp_path / "ramp.png")
+    assert np.abs(ours - saved).max() < 2e-4
+    scene.view_settings.use_curve_mapping = False
+    without = session.encode_for_display(display.export_display(scene, description.Scene()), pixels)
+    assert np.abs(ours - without).max() > 0.1
 
 
 def test_white_balance_is_named(scene):

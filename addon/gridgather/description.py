@@ -119,6 +119,17 @@ class Camera:
 
 
 @dataclass
+class Curves:
+    """See gg_curves."""
+
+    values: np.ndarray  # float32 (3, n)
+    range: tuple[float, float]
+    slopes: tuple[float, ...]  # 6
+    black: tuple[float, float, float]
+    white: tuple[float, float, float]
+
+
+@dataclass
 class Display:
     config: str = ""  # path; "": sRGB
     device: str = ""
@@ -129,6 +140,7 @@ class Display:
     white: float = 100.0  # cd/m2
     black: float = 0.2  # cd/m2
     pixels_per_degree: float = 40.0
+    curves: Curves | None = None
 
 
 @dataclass

@@ -4,7 +4,7 @@ import ctypes
 import os
 from ctypes import POINTER, c_char, c_char_p, c_float, c_int, c_int32, c_uint32, c_uint64, c_void_p
 
-INTERFACE_VERSION = 4
+INTERFACE_VERSION = 5
 LIBRARY_PATH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "libgridgather.so")
 
 OK, CANCELLED = 0, 1
@@ -93,6 +93,17 @@ class Camera(ctypes.Structure):
     ]
 
 
+class Curves(ctypes.Structure):
+    _fields_ = [
+        ("values", ctypes.POINTER(c_float)),
+        ("size", c_uint32),
+        ("range", c_float * 2),
+        ("slopes", c_float * 6),
+        ("black", c_float * 3),
+        ("white", c_float * 3),
+    ]
+
+
 class Display(ctypes.Structure):
     _fields_ = [
         ("config", c_char_p),
@@ -104,6 +115,7 @@ class Display(ctypes.Structure):
         ("white", c_float),
         ("black", c_float),
         ("pixels_per_degree", c_float),
+        ("curves", ctypes.POINTER(Curves)),
     ]
 
 

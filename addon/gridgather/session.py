@@ -6,7 +6,7 @@ import json
 import numpy as np
 
 from . import interface
-from .description import Camera, Display, Settings
+from .description import Camera, Curves, Display, Settings
 
 
 class SessionError(Exception):
@@ -46,6 +46,18 @@ def _native_display(display: Display) -> interface.Display:
         display.white,
         display.black,
         display.pixels_per_degree,
+        ctypes.pointer(_native_curves(display.curves)) if display.curves else None,
+    )
+
+
+def _native_curves(curves: Curves) -> interface.Curves:
+    return interface.Curves(
+        values=(ctypes.c_float * curves.values.size)(*curves.values.ravel()),  # ctypes keeps an array alive
+        size=curves.values.shape[1],
+        range=curves.range,
+        slopes=curves.slopes,
+        black=curves.black,
+        white=curves.white,
     )
 
 

@@ -1,6 +1,9 @@
 #include "api/convert_settings.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
 #include <thread>
 
 #include "api/convert_scene.h"
@@ -68,6 +71,27 @@ Viewing convert_viewing(const gg_display& display) {
     return viewing;
 }
 
+bool all_finite(std::span<const float> values) {
+    return std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); });
+}
+
+ViewCurves convert_curves(const gg_curves& curves) {
+    require(curves.values != nullptr && curves.size >= 2 && curves.size <= 65536, "the curves' size is out of range");
+    const std::size_t size = curves.size;
+    require(all_finite({curves.values, 3 * size}) && all_finite(curves.range) && all_finite(curves.slopes) &&
+                all_finite(curves.black) && all_finite(curves.white) && curves.range[0] < curves.range[1],
+            "the curves are not finite or have no range");
+    ViewCurves result;
+    result.lower = curves.range[0];
+    result.upper = curves.range[1];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float* values = curves.values + k * size;
+        result.channels[k] = {
+            {values, values + size}, curves.slopes[2 * k], curves.slopes[2 * k + 1], curves.black[k], curves.white[k]};
+    }
+    return result;
+}
+
 }  // namespace
 
 DisplaySettings convert_display(const gg_display& display) {
@@ -76,7 +100,8 @@ DisplaySettings convert_display(const gg_display& display) {
             text(display.view),
             text(display.look),
             number(display.exposure, 0, -64, 64, "the display's exposure is out of range"),
-            number(display.gamma, 1, 0.01F, 100, "the display's gamma is out of range")};
+            number(display.gamma, 1, 0.01F, 100, "the display's gamma is out of range"),
+            display.curves != nullptr ? std::optional(convert_curves(*display.curves)) : std::nullopt};
 }
 
 RenderSettings convert_settings(const gg_camera* camera, const gg_settings& settings) {

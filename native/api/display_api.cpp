@@ -5,6 +5,7 @@
 gg_status gg_display_encode(const gg_display* display, float* pixels, uint64_t count) {
     return gg::guarded([&] {
         gg::require(display != nullptr && (pixels != nullptr || count == 0), "no display or no pixels");
+        gg::require(count <= (1ULL << 32), "too many pixels");
         const gg::DisplayTransform transform(gg::convert_display(*display));
         if (!transform.failure().empty()) {
             throw gg::Error(GG_INVALID_ARGUMENT, transform.failure());

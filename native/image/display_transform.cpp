@@ -60,7 +60,7 @@ struct DisplayTransform::Processor {
 };
 
 DisplayTransform::DisplayTransform(const DisplaySettings& settings)
-    : scale_(std::exp2(settings.exposure)), exponent_(1 / std::max(settings.gamma, 1e-6F)) {
+    : scale_(std::exp2(settings.exposure)), exponent_(1 / std::max(settings.gamma, 1e-6F)), curves_(settings.curves) {
     if (settings.config.empty()) {
         return;
     }
@@ -78,6 +78,9 @@ DisplayTransform::~DisplayTransform() = default;
 void DisplayTransform::encode(std::span<Rgb> pixels) const {
     for (Rgb& pixel : pixels) {
         pixel = is_finite(pixel) ? pixel : Rgb(0.0F);
+        if (curves_) {
+            pixel = (*curves_)(pixel);
+        }
     }
     if (processor_) {
         ocio::PackedImageDesc image(pixels.data(), static_cast<long>(pixels.size()), 1, 3);
@@ -90,7 +93,9 @@ void DisplayTransform::encode(std::span<Rgb> pixels) const {
         }
     }
     for (Rgb& pixel : pixels) {
-        pixel = is_finite(pixel) ? glm::clamp(pixel, Rgb(0.0F), Rgb(1.0F)) : Rgb(0.0F);
+        for (int channel = 0; channel < 3; ++channel) {
+            pixel[channel] = std::isnan(pixel[channel]) ? 0.0F : std::clamp(pixel[channel], 0.0F, 1.0F);
+        }
     }
 }
 

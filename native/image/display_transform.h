@@ -1,11 +1,13 @@
-// From scene-linear pixels to what a display shows, as Blender does it: exposure, look, view, gamma.
+// From scene-linear pixels to what a display shows, as Blender does it: curves, exposure, look, view, gamma.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "core/vec.h"
+#include "image/view_curves.h"
 
 namespace gg {
 
@@ -15,6 +17,7 @@ struct DisplaySettings {
     std::string look;    // empty: none
     float exposure = 0;  // stops
     float gamma = 1;
+    std::optional<ViewCurves> curves = std::nullopt;
 };
 
 class DisplayTransform {
@@ -36,6 +39,7 @@ class DisplayTransform {
     struct Processor;
     std::unique_ptr<const Processor> processor_;  // null: sRGB
     float scale_ = 1, exponent_ = 1;              // for sRGB
+    std::optional<ViewCurves> curves_;
     std::string failure_;
 };
 

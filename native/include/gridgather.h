@@ -27,7 +27,7 @@
 extern "C" {
 #endif
 
-#define GG_INTERFACE_VERSION 4
+#define GG_INTERFACE_VERSION 5
 #define GG_NONE 0xFFFFFFFFu /* no image, no material */
 
 typedef enum gg_status {
@@ -203,6 +203,16 @@ typedef enum gg_pass {
     GG_PASS_SITE_THRESHOLD = 128       /* "Site Threshold": error of radiosity that one sender may have, W/m2 */
 } gg_pass;
 
+/* Curves that pixels go through before all else: channel c of a pixel becomes
+ * x = (pixel - black[c]) / (white[c] - black[c]), and then what its curve has at x. */
+typedef struct gg_curves {
+    const float* values;             /* 3 * size: of red, green, blue, at even steps from range[0] to range[1] */
+    uint32_t size;                   /* 2..65536 */
+    float range[2];                  /* finite, the first one less */
+    float slopes[6];                 /* beyond the range, red's below and above, green's, blue's; finite */
+    float black[3], white[3];        /* finite */
+} gg_curves;
+
 /* How a picture is shown and looked at: errors that nobody sees there are left. */
 typedef struct gg_display {
     const char* config;      /* path of an OpenColorIO configuration; "": sRGB with white at 1 */
@@ -214,6 +224,7 @@ typedef struct gg_display {
     float white;             /* of the display, cd/m2; 0: 100; 1e-3..1e6 */
     float black;             /* the same, added to everything, 0..1e6 */
     float pixels_per_degree; /* of the visual field; 0: 40; 1..1e4 */
+    const gg_curves* curves; /* null: none */
 } gg_display;
 
 /* What the display gets for scene-linear pixels, 3 * count values that are replaced, 0..1. Fails if the configuration

@@ -99,12 +99,35 @@ TEST_F(RenderMisuse, displays_out_of_range_are_refused) {
     }
 }
 
+TEST_F(RenderMisuse, curves_out_of_range_are_refused) {
+    std::vector<float> values(6, 0.5F);
+    const std::function<void(gg_curves&)> faults[] = {
+        [](gg_curves& c) { c.values = nullptr; },  [](gg_curves& c) { c.size = 1; },
+        [](gg_curves& c) { c.size = 65537; },      [](gg_curves& c) { c.range[1] = c.range[0]; },
+        [](gg_curves& c) { c.range[0] = kNan; },   [](gg_curves& c) { c.slopes[5] = kNan; },
+        [](gg_curves& c) { c.black[1] = kNan; },   [](gg_curves& c) { c.white[2] = kNan; },
+        [&](gg_curves&) { values.back() = kNan; },  // the last one: values stay so
+    };
+    float pixel[3] = {0.5F, 0.5F, 0.5F};
+    gg_curves curves{values.data(), 2, {0, 1}, {}, {}, {1, 1, 1}};
+    gg_display display{};
+    display.curves = &curves;
+    EXPECT_EQ(gg_display_encode(&display, pixel, 1), GG_OK);
+    int index = 0;
+    for (const auto& fault : faults) {
+        curves = {values.data(), 2, {0, 1}, {}, {}, {1, 1, 1}};
+        fault(curves);
+        EXPECT_EQ(gg_display_encode(&display, pixel, 1), GG_INVALID_ARGUMENT) << index++;
+    }
+}
+
 TEST_F(RenderMisuse, encoding_needs_a_display_and_pixels) {
     gg_display display{};
     float pixels[3] = {0.5F, 0.5F, 0.5F};
     EXPECT_EQ(gg_display_encode(nullptr, pixels, 1), GG_INVALID_ARGUMENT);
     EXPECT_EQ(gg_display_encode(&display, nullptr, 1), GG_INVALID_ARGUMENT);
     EXPECT_EQ(gg_display_encode(&display, nullptr, 0), GG_OK);
+    EXPECT_EQ(gg_display_encode(&display, pixels, std::uint64_t{1} << 40), GG_INVALID_ARGUMENT);
     display.config = "/nowhere/config.ocio";
     EXPECT_EQ(gg_display_encode(&display, pixels, 1), GG_INVALID_ARGUMENT);
     EXPECT_STRNE(gg_last_error(), "");
