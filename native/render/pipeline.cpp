@@ -1,5 +1,7 @@
 #include "render/pipeline.h"
 
+#include <optional>
+
 #include "core/control.h"
 #include "core/messages.h"
 #include "core/parallel.h"
@@ -15,18 +17,21 @@ namespace {
 
 ViewCounts gather(const Solution& solution, const View& view, const RenderSettings& settings, Film& film,
                   Control& control, Messages& messages, Statistics& statistics) {
-    if (!settings.display) {
-        return grid_gather(solution, view, settings.gather, nullptr, settings.width, settings.height, film, control,
-                           statistics);
+    std::optional<DisplayTransform> transform;
+    std::optional<Observer> observer;
+    if (settings.display) {
+        transform.emplace(*settings.display);
+        observer.emplace();
+        observer->display = [&](std::span<Rgb> pixels) { transform->show(pixels); };
+        observer->viewing = settings.viewing;
+        observer->noticeable = settings.noticeable;
+        observer->masking = settings.masking;
+        if (!transform->failure().empty()) {
+            messages.add("Color Management", "errors are judged as if the display were sRGB: " + transform->failure());
+        }
     }
-    const DisplayTransform transform(*settings.display);
-    if (!transform.failure().empty()) {
-        messages.add("Color Management", "errors are judged as if the display were sRGB: " + transform.failure());
-    }
-    const Observer observer{[&](std::span<Rgb> pixels) { transform.show(pixels); }, settings.viewing,
-                            settings.noticeable, settings.masking};
-    return grid_gather(solution, view, settings.gather, &observer, settings.width, settings.height, film, control,
-                       statistics);
+    return grid_gather(solution, view, settings.gather, observer ? &*observer : nullptr, settings.width,
+                       settings.height, film, control, statistics);
 }
 
 }  // namespace
