@@ -9,9 +9,11 @@ namespace gg {
 
 namespace {
 
-// Times the samples: where surfaces or colours change, and where something that shines ends in a pixel or beside it.
+// Times the samples: where surfaces or colours change, and where something that shines ends in a pixel or beside it, or
+// surfaces are unlike in light.
 constexpr std::uint32_t kBorderSamples = 4, kEdgeSamples = 8;
 constexpr float kEvenColor = 1.25F;  // ratio of a pixel's brightest albedo to its darkest
+constexpr float kEvenLight = 3;      // of its brightest fragment to its darkest
 
 std::uint64_t pixel_id(std::uint32_t x, std::uint32_t y) {
     return std::uint64_t{y} << 32 | x;
@@ -34,9 +36,10 @@ void add_rays(const View& view, int x, int y, std::span<Ray> rays) {
 // Pixels of a tile, and what shines in them and in those around the tile.
 class TileTracer {
   public:
-    TileTracer(const View& view, const Rectangle& tile, const IrradianceAt* irradiance_at)
+    TileTracer(const View& view, const Rectangle& tile, const IrradianceAt* irradiance_at, const IrradianceAt* expected)
         : view_(view),
           irradiance_at_(irradiance_at),
+          expected_(expected),
           x_(static_cast<int>(view.settings.crop.x + tile.x)),
           y_(static_cast<int>(view.settings.crop.y + tile.y)),
           width_(static_cast<int>(tile.width)),
@@ -47,7 +50,7 @@ class TileTracer {
     TileFragments trace() {
         const std::uint32_t samples = view_.settings.samples;
         TileFragments unused, result;
-        PixelBuilder inner(view_, irradiance_at_, first_), outer(view_, irradiance_at_, unused);
+        PixelBuilder inner(view_, irradiance_at_, expected_, first_), outer(view_, irradiance_at_, nullptr, unused);
         for (int row = -1; row <= height_; ++row) {
             for (int column = -1; column <= width_; ++column) {
                 const bool inside = row >= 0 && row < height_ && column >= 0 && column < width_;
@@ -55,10 +58,10 @@ class TileTracer {
             }
         }
         result.tile = first_.tile;
-        PixelBuilder closer(view_, irradiance_at_, result);
+        PixelBuilder closer(view_, irradiance_at_, nullptr, result);
         for (int row = 0; row < height_; ++row) {
             for (int column = 0; column < width_; ++column) {
-                if (shining_ends_near(row, column)) {
+                if (shining_ends_near(row, column) || found(row, column).reflecting.exceeds(kEvenLight)) {
                     add(closer, row, column, kEdgeSamples * samples);
                 } else if (has_borders(found(row, column))) {
                     add(closer, row, column, kBorderSamples * samples);
@@ -104,6 +107,7 @@ class TileTracer {
 
     const View& view_;
     const IrradianceAt* irradiance_at_;
+    const IrradianceAt* expected_;
     int x_, y_, width_, height_;
     TileFragments first_;
     std::vector<Variety> found_;  // with a rim of one pixel
@@ -113,12 +117,12 @@ class TileTracer {
 
 }  // namespace
 
-TileFragments trace_tile(const View& view, const Rectangle& tile) {
-    return TileTracer(view, tile, nullptr).trace();
+TileFragments trace_tile(const View& view, const Rectangle& tile, const IrradianceAt* expected) {
+    return TileTracer(view, tile, nullptr, expected).trace();
 }
 
 TileFragments trace_lit_tile(const View& view, const Rectangle& tile, const IrradianceAt& irradiance_at) {
-    return TileTracer(view, tile, &irradiance_at).trace();
+    return TileTracer(view, tile, &irradiance_at, nullptr).trace();
 }
 
 std::vector<FragmentPart> divide_pixel(const View& view, const TileFragments& tile, std::size_t pixel, int halvings) {
@@ -129,7 +133,7 @@ std::vector<FragmentPart> divide_pixel(const View& view, const TileFragments& ti
              static_cast<int>(view.settings.crop.y + tile.tile.y + at / tile.tile.width), rays);
     view.tracer.closest_hits(rays, hits, RayMask::kCamera, Coherence::kCoherent);
     TileFragments unused;
-    return PixelBuilder(view, nullptr, unused).divide(rays, hits, halvings);
+    return PixelBuilder(view, nullptr, nullptr, unused).divide(rays, hits, halvings);
 }
 
 std::uint64_t resolve_tile(const View& view, const TileFragments& tile, std::span<const Rgb> irradiance,

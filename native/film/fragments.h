@@ -40,7 +40,11 @@ struct TileFragments {
     [[nodiscard]] std::uint32_t begin_of(std::size_t pixel) const { return pixel > 0 ? pixels[pixel - 1].end : 0; }
 };
 
-[[nodiscard]] TileFragments trace_tile(const View& view, const Rectangle& tile);
+// Irradiance [W/m2] where a ray met a surface, at its front or back.
+using IrradianceAt = std::function<Rgb(const Hit& hit, bool back)>;
+
+// expected: about how light surfaces are, for more samples where light ones end; null: unknown.
+[[nodiscard]] TileFragments trace_tile(const View& view, const Rectangle& tile, const IrradianceAt* expected = nullptr);
 
 // Samples of a fragment that lie next to one another, as a fragment of their own.
 struct FragmentPart {
@@ -52,9 +56,6 @@ struct FragmentPart {
 // pixels. halvings: of each, so that it has up to 2^halvings parts.
 [[nodiscard]] std::vector<FragmentPart> divide_pixel(const View& view, const TileFragments& tile, std::size_t pixel,
                                                      int halvings);
-
-// Irradiance [W/m2] where a ray met a surface, at its front or back.
-using IrradianceAt = std::function<Rgb(const Hit& hit, bool back)>;
 
 // The same without fragments: every sample has light of its own, which counts as emitted.
 [[nodiscard]] TileFragments trace_lit_tile(const View& view, const Rectangle& tile, const IrradianceAt& irradiance_at);

@@ -26,15 +26,17 @@ struct Range {
 // What a pixel's samples found.
 struct Variety {
     Range shining, albedo;
+    Range reflecting;      // what fragments reflect, if that is expected; of several
     bool several = false;  // fragments
 };
 
 // One pixel after the other.
 class PixelBuilder {
   public:
-    // irradiance_at: null where fragments are wanted. Pixels and their fragments are added to `out`.
-    PixelBuilder(const View& view, const IrradianceAt* irradiance_at, TileFragments& out)
-        : view_(view), irradiance_at_(irradiance_at), out_(out) {}
+    // irradiance_at: null where fragments are wanted. expected: about how light they are, or null. Pixels and their
+    // fragments are added to `out`.
+    PixelBuilder(const View& view, const IrradianceAt* irradiance_at, const IrradianceAt* expected, TileFragments& out)
+        : view_(view), irradiance_at_(irradiance_at), expected_(expected), out_(out) {}
 
     Variety add(std::span<const Ray> rays, std::span<const Hit> hits);
 
@@ -63,6 +65,7 @@ class PixelBuilder {
 
     const View& view_;
     const IrradianceAt* irradiance_at_;
+    const IrradianceAt* expected_;
     TileFragments& out_;
     std::vector<Part> parts_;
     Variety variety_;

@@ -22,11 +22,16 @@ namespace {
 constexpr float kStandardHeight = 350;  // pixels, of pictures that settings are meant for
 constexpr float kLeastCell = 4;         // pixels; in smaller ones little else is seen than what is looked at
 
-std::vector<TileFragments> trace_tiles(const View& view, const Film& film, Control& control, Statistics& statistics) {
+std::vector<TileFragments> trace_tiles(const Solution& solution, const View& view, const Film& film, Control& control,
+                                       Statistics& statistics) {
     const StageTimer timer(statistics, "visible points");
+    const IrradianceAt expected = [&](const Hit& hit, bool back) {
+        return interpolated_irradiance(solution, hit.instance, hit.triangle, back, {hit.u, hit.v});
+    };
     std::vector<TileFragments> tiles(film.tile_count());
-    parallel_for(tiles.size(), 1, control,
-                 [&](std::size_t i) { tiles[i] = trace_tile(view, film.tile(static_cast<std::uint32_t>(i))); });
+    parallel_for(tiles.size(), 1, control, [&](std::size_t i) {
+        tiles[i] = trace_tile(view, film.tile(static_cast<std::uint32_t>(i)), &expected);
+    });
     return tiles;
 }
 
@@ -131,7 +136,7 @@ class SiteGatherer : public Gatherer {
 
 ViewCounts full_gather(const Solution& solution, const View& view, int samples, Film& film, Control& control,
                        Statistics& statistics) {
-    const std::vector<TileFragments> tiles = trace_tiles(view, film, control, statistics);
+    const std::vector<TileFragments> tiles = trace_tiles(solution, view, film, control, statistics);
     const ClusterPoints points(solution, control);
     const NodeOrder order(hierarchy_of(solution));
     const auto make = [&] { return std::make_unique<FullGatherer>(solution, order, points, view.tracer, samples); };
@@ -141,7 +146,7 @@ ViewCounts full_gather(const Solution& solution, const View& view, int samples, 
 ViewCounts grid_gather(const Solution& solution, const View& view, const GatherSettings& settings,
                        const Observer* observer, std::uint32_t width, std::uint32_t height, Film& film,
                        Control& control, Statistics& statistics) {
-    const std::vector<TileFragments> tiles = trace_tiles(view, film, control, statistics);
+    const std::vector<TileFragments> tiles = trace_tiles(solution, view, film, control, statistics);
     std::optional<StageTimer> timer;
     std::optional<MaskingMap> seen;
     if (observer != nullptr) {

@@ -43,6 +43,8 @@ class FragmentsTest : public ::testing::Test {
                 {{0, 0, kSize, kSize}, 16, 1, false}};
     }
 
+    Scene scene_;
+
   private:
     const RayTracer* tracer() {
         if (!tracer_) {
@@ -59,7 +61,6 @@ class FragmentsTest : public ::testing::Test {
 
     Control control_;
     Messages messages_;
-    Scene scene_;
     TextureSet textures_;
     CameraDescription camera_;
     std::unique_ptr<RayTracer> tracer_;
@@ -81,6 +82,22 @@ TEST_F(FragmentsTest, the_border_of_what_shines_has_more_samples) {
         covered += fragment.share;
     }
     EXPECT_NEAR(covered / kSize, kSize / 2 - 0.16F, 0.02F);
+}
+
+// So has that of what is much lighter than what lies beside it in the pixel.
+TEST_F(FragmentsTest, the_border_of_what_is_light_has_more_samples) {
+    scene_.world = Rgb(0.0F);
+    scene_.instances.push_back(scene_.instances.front());
+    scene_.instances.back().to_world.translation = {-2.01F, 0, 0};
+    const auto samples_at_border = [&](float light) {
+        const IrradianceAt expected = [&](const Hit& hit, bool) { return Rgb(hit.instance == 1 ? light : 1.0F); };
+        const TileFragments found = trace_tile(view(), {0, 0, kSize, kSize}, &expected);
+        return found.pixels[8 * kSize + kSize / 2].samples;
+    };
+    EXPECT_EQ(trace().pixels[8 * kSize + kSize / 2].samples, 64U);
+    EXPECT_EQ(samples_at_border(2), 64U);
+    EXPECT_EQ(samples_at_border(4), 128U);
+    EXPECT_EQ(samples_at_border(0.2F), 128U);
 }
 
 TEST_F(FragmentsTest, parts_of_a_fragment_are_all_of_it) {
