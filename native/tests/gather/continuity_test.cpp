@@ -168,19 +168,28 @@ bool is_evenly_sampled(const GridPicture& picture, const Fragment& at, NodeId se
     return most < 1.4F * least;
 }
 
+// Fragments that see a sender in part by that many samples, all of which bring about the same.
+std::vector<Fragment> partly_lit(const GridPicture& picture, Shader& shader, NodeId sender, float samples) {
+    std::vector<Fragment> found;
+    for (const Fragment& at : picture.some_fragments(200)) {
+        OneSender lamp(shader, at, sender);
+        const float all = lamp.unoccluded(), seen = lamp.light(samples);
+        if (seen > 0.05F * all && seen < 0.95F * all && is_evenly_sampled(picture, at, sender)) {
+            found.push_back(at);
+        }
+    }
+    EXPECT_GE(found.size(), 5U);
+    return found;
+}
+
 // Of a lamp that is seen in part: the next sample gets its share of the mean.
 TEST(Continuity, light_follows_the_number_of_samples) {
     const GridPicture picture = picture_of(viewed_lamp_room());
     Shader shader = picture.shader();
     const NodeId id = nodes_of(picture, NodeKind::kLamp).front();
-    int partly = 0;
-    for (const Fragment& at : picture.some_fragments(200)) {
+    for (const Fragment& at : partly_lit(picture, shader, id, kSamples)) {
         OneSender lamp(shader, at, id);
-        const float all = lamp.unoccluded(), seen = lamp.light(kSamples);
-        if (!(seen > 0.05F * all) || !(seen < 0.95F * all) || !is_evenly_sampled(picture, at, id)) {
-            continue;
-        }
-        ++partly;
+        const float all = lamp.unoccluded();
         constexpr float kStep = 1.0F / 16;
         float before = lamp.light(1);
         for (float samples = 1 + kStep; samples < kSamples; samples += kStep) {
@@ -189,7 +198,6 @@ TEST(Continuity, light_follows_the_number_of_samples) {
             before = now;
         }
     }
-    EXPECT_GE(partly, 5);
 }
 
 // Four parts of a pixel with 8 samples each see together what one with 32 sees, and as exactly.
@@ -197,17 +205,12 @@ TEST(Continuity, parts_of_a_pixel_see_points_of_their_own) {
     const GridPicture picture = picture_of(viewed_lamp_room());
     Shader shader = picture.shader();
     const NodeId id = nodes_of(picture, NodeKind::kLamp).front();
-    int partly = 0;
-    for (const Fragment& at : picture.some_fragments(200)) {
+    for (const Fragment& at : partly_lit(picture, shader, id, 32)) {
         OneSender lamp(shader, at, id);
-        const float all = lamp.unoccluded(), seen = lamp.light(32);
-        if (seen > 0.05F * all && seen < 0.95F * all && is_evenly_sampled(picture, at, id)) {
-            ++partly;
-            EXPECT_NEAR(lamp.light_of_parts(8, 4) / all, seen / all, 0.02F);
-            EXPECT_NEAR(lamp.light_of_parts(1024, 2) / all, lamp.light(1024) / all, 1e-5F);  // there are no more
-        }
+        const float all = lamp.unoccluded();
+        EXPECT_NEAR(lamp.light_of_parts(8, 4) / all, lamp.light(32) / all, 0.02F);
+        EXPECT_NEAR(lamp.light_of_parts(1024, 2) / all, lamp.light(1024) / all, 1e-5F);  // there are no more
     }
-    EXPECT_GE(partly, 5);
 }
 
 // Above the horizon is part of an element, but not its first sample: the next one comes in without a jump, and until
