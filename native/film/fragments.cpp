@@ -50,7 +50,7 @@ class TileTracer {
     TileFragments trace() {
         const std::uint32_t samples = view_.settings.samples;
         TileFragments unused, result;
-        PixelBuilder inner(view_, irradiance_at_, expected_, first_), outer(view_, irradiance_at_, nullptr, unused);
+        PixelBuilder inner(view_, irradiance_at_, expected_, first_), outer(view_, irradiance_at_, expected_, unused);
         for (int row = -1; row <= height_; ++row) {
             for (int column = -1; column <= width_; ++column) {
                 const bool inside = row >= 0 && row < height_ && column >= 0 && column < width_;
@@ -61,7 +61,7 @@ class TileTracer {
         PixelBuilder closer(view_, irradiance_at_, nullptr, result);
         for (int row = 0; row < height_; ++row) {
             for (int column = 0; column < width_; ++column) {
-                if (shining_ends_near(row, column) || found(row, column).reflecting.exceeds(kEvenLight)) {
+                if (light_ends_near(row, column)) {
                     add(closer, row, column, kEdgeSamples * samples);
                 } else if (has_borders(found(row, column))) {
                     add(closer, row, column, kBorderSamples * samples);
@@ -82,15 +82,17 @@ class TileTracer {
         return builder.add(rays_, hits_);
     }
 
-    // Few samples of a pixel may miss what is at its rim, and a lamp counts there, too: so those beside it say what
-    // ends.
-    [[nodiscard]] bool shining_ends_near(int row, int column) const {
-        constexpr float kEven = 2;
-        Range around;
+    // Few samples of a pixel may miss what is at its rim, and what is bright counts there, too: so those beside it say
+    // what ends.
+    [[nodiscard]] bool light_ends_near(int row, int column) const {
+        constexpr float kEvenShining = 2;
+        Range shining, reflecting;
         for (int i = 0; i < 9; ++i) {
-            around.add(found(row + i / 3 - 1, column + i % 3 - 1).shining);
+            const Variety& beside = found(row + i / 3 - 1, column + i % 3 - 1);
+            shining.add(beside.shining);
+            reflecting.add(beside.reflecting);
         }
-        return around.exceeds(kEven);
+        return shining.exceeds(kEvenShining) || reflecting.exceeds(kEvenLight);
     }
 
     [[nodiscard]] const Variety& found(int row, int column) const {

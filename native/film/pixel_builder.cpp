@@ -27,7 +27,7 @@ Variety PixelBuilder::add(std::span<const Ray> rays, std::span<const Hit> hits) 
     pixel.end = static_cast<std::uint32_t>(out_.fragments.size());
     out_.pixels.push_back(pixel);
     variety_.several = parts_.size() > 1;
-    for (std::size_t k = 0; expected_ != nullptr && variety_.several && k < parts_.size(); ++k) {
+    for (std::size_t k = 0; expected_ != nullptr && k < parts_.size(); ++k) {
         const Fragment& at = out_.fragments[out_.fragments.size() - parts_.size() + k];
         variety_.reflecting.add(at.albedo / at.share * (*expected_)(at.hit, at.back) / kPi);
     }

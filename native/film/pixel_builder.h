@@ -26,7 +26,7 @@ struct Range {
 // What a pixel's samples found.
 struct Variety {
     Range shining, albedo;
-    Range reflecting;      // what fragments reflect, if that is expected; of several
+    Range reflecting;      // what fragments reflect, if that is expected
     bool several = false;  // fragments
 };
 

@@ -9,7 +9,9 @@ namespace gg {
 namespace {
 
 constexpr float kJump = 0.2F;         // of the pixel's light
+constexpr float kJumpAtLamp = 0.05F;  // the same where a lamp begins, whose place is known
 constexpr float kSameSurface = 0.9F;  // cosine between normals
+constexpr float kSteepest = 0.1F;     // cosine between a surface and the view, below which pixels see no more of it
 constexpr float kOffPlane = 0.5F;     // sine of the angle to the surface under which the other one lies, at most
 
 // Leaves of one plant that lie behind one another are not.
@@ -33,7 +35,25 @@ float step_to(const Fragment& fragment, Rgb light, const TileFragments& other, c
 
 }  // namespace
 
-std::vector<JumpingFragment> jumps_in(const PixelMap& map, std::size_t tile, std::span<const TileLight> light) {
+Rgb step_at(const Lamp& lamp, const Fragment& fragment, const PixelCamera& camera) {
+    if (lamp.shape != LampShape::kRectangle && lamp.shape != LampShape::kEllipse) {
+        return Rgb(0.0F);
+    }
+    const float cosine = std::abs(dot(fragment.normal, camera.direction_to(fragment.position)));
+    const float reach = camera.pixel_size(fragment.hit.distance) / std::max(cosine, kSteepest);
+    const Vec3 from = fragment.position - lamp.position;
+    const auto is_within = [&](Vec3 half) {
+        const float size = length(half);
+        return std::abs(dot(from, half)) < size * (size + reach);
+    };
+    const bool touches =
+        std::abs(dot(from, lamp.direction)) < reach && is_within(lamp.half_x) && is_within(lamp.half_y);
+    // The form factor of a half plane at its edge.
+    return touches ? 0.5F * (1 - dot(fragment.normal, lamp.direction)) * kPi * lamp.radiance : Rgb(0.0F);
+}
+
+std::vector<JumpingFragment> jumps_in(const PixelMap& map, std::size_t tile, std::span<const TileLight> light,
+                                      std::span<const Lamp> lamps, const PixelCamera& camera) {
     const TileFragments& own = map.tiles()[tile];
     std::vector<JumpingFragment> found;
     for (std::uint32_t p = 0; p < own.pixels.size(); ++p) {
@@ -50,8 +70,14 @@ std::vector<JumpingFragment> jumps_in(const PixelMap& map, std::size_t tile, std
                                                   light[beside->tile], beside->index));
                 }
             }
-            if (step > kJump * seen) {
-                found.push_back({p, f - begin, step / std::max(seen, 1e-20F)});
+            float at_lamps = 0;
+            for (const Lamp& lamp : lamps) {
+                const Fragment& fragment = own.fragments[f];
+                at_lamps = std::max(at_lamps, luminance(fragment.albedo * step_at(lamp, fragment, camera)));
+            }
+            if (step > kJump * seen || at_lamps > kJumpAtLamp * seen) {
+                const float whole = std::max(seen, 1e-20F);
+                found.push_back({p, f - begin, std::max(step, at_lamps) / whole, at_lamps > kJumpAtLamp * seen});
             }
         }
     }

@@ -92,7 +92,7 @@ class TileLighter {
             return light_mean(parts, jump);
         };
         for (const JumpingFragment& jump : of_pixel) {
-            if (jump.step > kLargeJump || mean_over(quarters, kHalvings, jump) > kQuartersJump * seen) {
+            if (jump.at_lamp || jump.step > kLargeJump || mean_over(quarters, kHalvings, jump) > kQuartersJump * seen) {
                 mean_over(smaller, 2 * kHalvings, jump);
             }
         }
@@ -203,7 +203,7 @@ ViewCounts light_tiles(const View& view, std::span<const TileFragments> tiles, c
     parallel_for(tiles.size(), 1, control, [&](std::size_t i) {
         const auto gatherer = make();
         TileLighter lighter(view, tiles[i], *gatherer, lit[i], control);
-        const std::vector<JumpingFragment> jumps = jumps_in(map, i, before);
+        const std::vector<JumpingFragment> jumps = jumps_in(map, i, before, view.scene.lamps, view.camera);
         for (std::size_t begin = 0, end = 0; begin < jumps.size(); begin = end) {
             while (end < jumps.size() && jumps[end].pixel == jumps[begin].pixel) {
                 ++end;

@@ -67,7 +67,8 @@ float SenderGroup::facing_weight(Vec3 x) const {
     if (lamp_ != nullptr) {
         return luminance(lamp_irradiance_vector(*lamp_, x).irradiance);
     }
-    const float strength = is_cluster(node) ? clusters_.of(sender_).power(0) : 1;
+    const float strength =
+        is_cluster(node) ? clusters_.of(sender_).power(0) : luminance(radiosity_of(solution_, sender_));
     return strength / (length_squared(node.center - x) + node.radius * node.radius);
 }
 
@@ -95,7 +96,7 @@ SenderGroup::Target SenderGroup::target(std::uint32_t index) const {
     const SenderPlace place = sampler_->place(index);
     if (lamp_ == nullptr) {
         const float soft = kSoftShare * node.area;
-        return {place.target, node.normal, 1, soft, soft};
+        return {place.target, node.normal, place.light, soft, soft};
     }
     return {place.target, lamp_->direction, luminance(lamp_->radiance) * flat_area(*lamp_), 0, 0};
 }

@@ -61,7 +61,7 @@ class SenderGroup {
     // A point that is the same for all, and shines to one side.
     struct Target {
         Vec3 position{0.0F}, normal{0.0F};
-        float strength = 0;              // luminance times area
+        float strength = 0;              // luminance, up to a factor
         float soft = 0, soft_again = 0;  // m2 by which either factor of the distance's square is larger
     };
 

@@ -147,7 +147,12 @@ ClusterPoints::ClusterPoints(const Solution& solution, const Control& control) {
 }
 
 SenderSampler::SenderSampler(const Solution& solution, NodeId sender, Vec3 x, Vec3 n)
-    : node_(hierarchy_of(solution)[sender]), x_(x), n_(n), places_(hash64(node_.stable_id, kPlaceSeed)) {
+    : solution_(solution),
+      sender_(sender),
+      node_(hierarchy_of(solution)[sender]),
+      x_(x),
+      n_(n),
+      places_(hash64(node_.stable_id, kPlaceSeed)) {
     if (node_.kind == NodeKind::kLamp) {
         lamp_ = &hierarchy_of(solution).scene().lamps[node_.source];
         sampler_.emplace(*lamp_, x, n);
@@ -161,6 +166,8 @@ SenderPlace SenderSampler::place(std::uint32_t index) const {
     if (lamp_ == nullptr) {
         const Vec3 w = square_to_triangle(place.u, place.v);
         place.target = w.x * node_.corner[0] + w.y * node_.corner[1] + w.z * node_.corner[2];
+        // What is hidden of a floor is dark.
+        place.light = luminance(radiosity_at(solution_, sender_, place.target));
     } else if (lamp_->shape == LampShape::kDistant) {
         const LampSample sample = sampler_->sample(place.u, place.v);
         place.target = sample.direction;
@@ -175,7 +182,8 @@ SenderPoint SenderSampler::point(const SenderPlace& place) const {
     if (lamp_ == nullptr) {
         const Vec3 to = place.target - x_;
         const float square = length_squared(to) + kSoftShare * node_.area;
-        return {to, false, std::max(0.0F, dot(n_, to)) * std::max(0.0F, -dot(node_.normal, to)) / (square * square)};
+        return {to, false,
+                place.light * std::max(0.0F, dot(n_, to)) * std::max(0.0F, -dot(node_.normal, to)) / (square * square)};
     }
     if (lamp_->shape == LampShape::kDistant) {
         return {place.target, true, place.light * std::max(0.0F, dot(n_, place.target))};
@@ -186,7 +194,8 @@ SenderPoint SenderSampler::point(const SenderPlace& place) const {
 
 float SenderSampler::facing_weight() const {
     return lamp_ != nullptr ? luminance(lamp_irradiance_vector(*lamp_, x_).irradiance)
-                            : 1 / (length_squared(node_.center - x_) + node_.radius * node_.radius);
+                            : luminance(radiosity_of(solution_, sender_)) /
+                                  (length_squared(node_.center - x_) + node_.radius * node_.radius);
 }
 
 std::span<const std::uint32_t> SenderSampler::in_blocks(std::uint32_t count, std::vector<std::uint32_t>& order) const {

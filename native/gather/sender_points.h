@@ -70,7 +70,7 @@ inline constexpr float kSoftShare = 1e-3F;
 struct SenderPlace {
     float u = 0, v = 0;
     Vec3 target{0.0F};  // elements and flat lamps by area: the point; distant lamps: the direction to it
-    float light = 0;    // distant lamps: luminance on a plane that faces it
+    float light = 0;    // luminance, W/m2: distant lamps: on a plane that faces it; elements: radiosity there
 };
 
 // The points of a sender as a receiver at x with unit normal n sees them. Keeps references.
@@ -87,6 +87,8 @@ class SenderSampler {
     std::span<const std::uint32_t> in_blocks(std::uint32_t count, std::vector<std::uint32_t>& order) const;
 
   private:
+    const Solution& solution_;
+    NodeId sender_;
     const Node& node_;
     const Lamp* lamp_ = nullptr;
     Vec3 x_, n_;

@@ -18,14 +18,19 @@ constexpr float kLeastRays = 2;
 constexpr float kLeastElementRays = 6, kMostElementRays = 512;
 // Share of the rays of an element of the size of a detail that one so long has, however thin it is.
 constexpr float kThin = 0.25F;
-constexpr float kMostBright = 8;       // times the rays, of elements that are brighter than the reference white
+constexpr float kMostBright = 8;       // times the rays, of places that are brighter than the reference white
 constexpr float kMoreWithSky = 2;      // few rays find windows, and the patches of sunlight behind them
 constexpr float kDetail = 1.0F / 200;  // size of a place, as a share of the scene's, from which all rays start
+
+// What is brighter than most lights its surroundings, and its noise does, too. Both: W/m2.
+float more_where_bright(Rgb irradiance, float white) {
+    return std::clamp(luminance(irradiance) / white, 1.0F, kMostBright);
+}
 
 }  // namespace
 
 // Lists the groups and gives each what its cluster's links tell.
-void GatheredLight::find_groups(const Lighting& lighting, int rays, const Control& control) {
+void GatheredLight::find_groups(const Lighting& lighting, float white, int rays, const Control& control) {
     const auto parts = parts_of_instances(*hierarchy_);
     first_.assign(parts.size(), kNone);
     std::uint32_t total = 0;
@@ -39,7 +44,7 @@ void GatheredLight::find_groups(const Lighting& lighting, int rays, const Contro
     places_ = parallel_collect<Place>(parts.size(), 1, control,
                                       [&](std::size_t begin, std::size_t end, std::vector<Place>& out) {
                                           for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
-                                              list_groups(i, parts[i], lighting, rays, out);
+                                              list_groups(i, parts[i], lighting, white, rays, out);
                                           }
                                       });
     place_of_group_.assign(total, kNone);
@@ -51,8 +56,8 @@ void GatheredLight::find_groups(const Lighting& lighting, int rays, const Contro
     }
 }
 
-void GatheredLight::list_groups(std::uint32_t instance, const InstanceParts& parts, const Lighting& lighting, int rays,
-                                std::vector<Place>& out) {
+void GatheredLight::list_groups(std::uint32_t instance, const InstanceParts& parts, const Lighting& lighting,
+                                float white, int rays, std::vector<Place>& out) {
     if (parts.leaf_clusters.empty()) {
         return;
     }
@@ -92,7 +97,8 @@ void GatheredLight::list_groups(std::uint32_t instance, const InstanceParts& par
         const float size = std::sqrt(area) / detail();
         const float share =
             covered ? 0.0F : std::clamp(std::max(std::min(1.0F, size), size * size), kLeastShare, kMostShare);
-        const auto count = static_cast<std::uint32_t>(std::max(kLeastRays, static_cast<float>(rays) * share));
+        const auto count = static_cast<std::uint32_t>(more_where_bright(inverse * arriving, white) *
+                                                      std::max(kLeastRays, static_cast<float>(rays) * share));
         out.push_back({instance, g, cluster[g], kNone, count, 0, 1, area, inverse * reflecting});
     }
 }
@@ -143,7 +149,7 @@ void GatheredLight::list_shares(const Control& control) {
     }
 }
 
-void GatheredLight::list_elements(const Lighting& lighting, int rays) {
+void GatheredLight::list_elements(const Lighting& lighting, float white, int rays) {
     first_element_ = places_.size();
     place_of_element_.assign(hierarchy_->nodes().size(), kNone);
     std::vector<NodeId> leaves;
@@ -152,7 +158,6 @@ void GatheredLight::list_elements(const Lighting& lighting, int rays) {
             leaves.push_back(id);
         }
     }
-    const float white = std::max(reference_white(*hierarchy_, lighting).irradiance, 1e-30F);
     const float more = luminance(hierarchy_->scene().world) > 0 ? kMoreWithSky : 1.0F;
     places_.reserve(places_.size() + leaves.size());
     radiosity_.reserve(places_.size() + leaves.size());
@@ -160,10 +165,9 @@ void GatheredLight::list_elements(const Lighting& lighting, int rays) {
         const Node& node = (*hierarchy_)[id];
         const float length = kThin * 2 * node.radius / detail();
         const float share = std::max(length, node.area / (detail() * detail()));
-        // What is brighter than most lights its surroundings, and its noise does, too.
-        const float bright = std::clamp(luminance(lighting.irradiance(id)) / white, 1.0F, kMostBright);
         const auto count = static_cast<std::uint32_t>(
-            more * bright * std::clamp(static_cast<float>(rays) * share, kLeastElementRays, kMostElementRays));
+            more * more_where_bright(lighting.irradiance(id), white) *
+            std::clamp(static_cast<float>(rays) * share, kLeastElementRays, kMostElementRays));
         place_of_element_[id] = static_cast<std::uint32_t>(places_.size());
         places_.push_back({node.instance, kNone, kNone, id, count, 0, 1, node.area, node.reflectance});
         radiosity_.push_back(node.reflectance * lighting.irradiance(id));

@@ -7,6 +7,7 @@
 #include "core/parallel.h"
 #include "radiosity/lighting.h"
 #include "radiosity/opinions.h"
+#include "radiosity/reference_white.h"
 
 namespace gg {
 
@@ -22,8 +23,9 @@ GatheredLight::GatheredLight(const Hierarchy& hierarchy, const ElementTable& ele
                              const Lighting& lighting, std::span<const Rgb> emitted_by_links, const RayTracer& tracer,
                              int rays, const Control& control)
     : hierarchy_(&hierarchy), guide_(&guide) {
-    find_groups(lighting, rays, control);
-    list_elements(lighting, rays);
+    const float white = std::max(reference_white(*hierarchy_, lighting).irradiance, 1e-30F);
+    find_groups(lighting, white, rays, control);
+    list_elements(lighting, white, rays);
     for (std::size_t i = 1; i < places_.size(); ++i) {
         places_[i].first_ray = places_[i - 1].first_ray + places_[i - 1].rays;
     }

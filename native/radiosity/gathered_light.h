@@ -72,10 +72,10 @@ class GatheredLight {
     [[nodiscard]] const FaceColors& colors_of(std::uint32_t instance) const {
         return hierarchy_->faces().colors[hierarchy_->faces().instance_colors[instance]];
     }
-    void find_groups(const Lighting& lighting, int rays, const Control& control);
-    void list_groups(std::uint32_t instance, const InstanceParts& parts, const Lighting& lighting, int rays,
-                     std::vector<Place>& out);
-    void list_elements(const Lighting& lighting, int rays);
+    void find_groups(const Lighting& lighting, float white, int rays, const Control& control);
+    void list_groups(std::uint32_t instance, const InstanceParts& parts, const Lighting& lighting, float white,
+                     int rays, std::vector<Place>& out);
+    void list_elements(const Lighting& lighting, float white, int rays);
     [[nodiscard]] float detail() const;
     void list_shares(const Control& control);
     static void merge_shares(std::vector<Share>& list);

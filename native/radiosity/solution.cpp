@@ -27,6 +27,10 @@ Rgb radiosity_of(const Solution& solution, NodeId node) {
     return solution.lighting.radiosity(node);
 }
 
+Rgb radiosity_at(const Solution& solution, NodeId element, Vec3 point) {
+    return radiosity_of(solution, solution.lighting.leaf_element_at(element, point));
+}
+
 float spread_of(const Solution& solution, NodeId node) {
     return solution.lighting.spread(node);
 }

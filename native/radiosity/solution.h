@@ -34,6 +34,8 @@ struct Solution;  // radiosity/solution_data.h; immutable, may be read by many t
 
 // Mean over the node's faces, W/m2; of lamps and sky: emission.
 [[nodiscard]] Rgb radiosity_of(const Solution& solution, NodeId node);
+// Of the undivided element around a point of an element.
+[[nodiscard]] Rgb radiosity_at(const Solution& solution, NodeId element, Vec3 point);
 // Standard deviation of its luminance over the node's faces, W/m2.
 [[nodiscard]] float spread_of(const Solution& solution, NodeId node);
 

@@ -84,20 +84,24 @@ TEST_F(FragmentsTest, the_border_of_what_shines_has_more_samples) {
     EXPECT_NEAR(covered / kSize, kSize / 2 - 0.16F, 0.02F);
 }
 
-// So has that of what is much lighter than what lies beside it in the pixel.
+// So has that of what is much lighter than what lies beside it, and the pixels beside: few samples of theirs may miss
+// it.
 TEST_F(FragmentsTest, the_border_of_what_is_light_has_more_samples) {
     scene_.world = Rgb(0.0F);
     scene_.instances.push_back(scene_.instances.front());
     scene_.instances.back().to_world.translation = {-2.01F, 0, 0};
-    const auto samples_at_border = [&](float light) {
+    const auto samples_beside = [&](std::uint32_t steps, float light) {
         const IrradianceAt expected = [&](const Hit& hit, bool) { return Rgb(hit.instance == 1 ? light : 1.0F); };
         const TileFragments found = trace_tile(view(), {0, 0, kSize, kSize}, &expected);
-        return found.pixels[8 * kSize + kSize / 2].samples;
+        return found.pixels[8 * kSize + kSize / 2 + steps].samples;
     };
     EXPECT_EQ(trace().pixels[8 * kSize + kSize / 2].samples, 64U);
-    EXPECT_EQ(samples_at_border(2), 64U);
-    EXPECT_EQ(samples_at_border(4), 128U);
-    EXPECT_EQ(samples_at_border(0.2F), 128U);
+    EXPECT_EQ(samples_beside(0, 2), 64U);
+    EXPECT_EQ(samples_beside(0, 4), 128U);
+    EXPECT_EQ(samples_beside(0, 0.2F), 128U);
+    EXPECT_EQ(samples_beside(1, 2), 16U);
+    EXPECT_EQ(samples_beside(1, 4), 128U);
+    EXPECT_EQ(samples_beside(2, 4), 16U);
 }
 
 TEST_F(FragmentsTest, parts_of_a_fragment_are_all_of_it) {

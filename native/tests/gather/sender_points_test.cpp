@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/distance.h"
 #include "gather/sender_light.h"
 #include "support/law_scenes.h"
+#include "transport/form_factor.h"
 
 namespace gg::test {
 namespace {
@@ -59,12 +61,55 @@ TEST(SenderLight, points_of_an_element_agree_with_its_polygon) {
             sum += SenderSampler(*solution, id, x, n).point(i).weight / kCount;
         }
         const float exact = luminance(unoccluded_irradiance(*solution, id, x, n));
-        const float sampled = sum * node.area / kPi * luminance(radiosity_of(*solution, id));
+        const float sampled = sum * node.area / kPi;
         EXPECT_NEAR(sampled / exact, 1, 0.01F);
         const IrradianceVector vector = irradiance_vector(*solution, id, x);
         EXPECT_NEAR(luminance(vector.irradiance) * dot(vector.direction, n) / exact, 1, 1e-3F);
         EXPECT_EQ(luminance(unoccluded_irradiance(*solution, id, node.center - 1.0F * node.normal, node.normal)), 0);
     }
+}
+
+// Of an element that is bright in parts only, points bring what its parts do: hiding the dark ones hides little.
+TEST(SenderLight, points_of_an_uneven_element_are_as_bright_as_its_parts) {
+    Prepared prepared(lamp_room(0.5F));
+    const auto solution = prepared.solve();
+    const Hierarchy& hierarchy = hierarchy_of(*solution);
+    int uneven = 0;
+    for (NodeId id = 0; id < hierarchy.nodes().size(); ++id) {
+        const Node& node = hierarchy[id];
+        if (node.kind != NodeKind::kElement || node.depth > 0 || node.child_count == 0) {
+            continue;
+        }
+        const Vec3 x = node.center + 2.0F * node.radius * node.normal, n = -node.normal;
+        for (NodeId child = node.first_child; child < node.first_child + node.child_count; ++child) {
+            const SenderSampler whole(*solution, id, x, n);
+            const auto& c = hierarchy[child].corner;
+            float sum = 0;
+            constexpr int kCount = 16384;
+            for (std::uint32_t i = 0; i < kCount; ++i) {
+                if (distance_to_triangle(whole.place(i).target, c) < 1e-4F * node.radius) {
+                    sum += whole.point(i).weight / kCount;
+                }
+            }
+            float expected = 0;  // of the smallest parts
+            for (NodeId part = child; part < hierarchy.nodes().size(); ++part) {
+                if (hierarchy[part].kind == NodeKind::kElement && hierarchy[part].child_count == 0 &&
+                    hierarchy[part].instance == node.instance && hierarchy[part].back == node.back &&
+                    distance_to_triangle(hierarchy[part].center, c) < 1e-4F * node.radius) {
+                    expected += point_to_triangle(x, n, hierarchy[part].corner[0], hierarchy[part].corner[1],
+                                                  hierarchy[part].corner[2]) *
+                                luminance(radiosity_of(*solution, part));
+                }
+            }
+            if (!(expected > 0)) {
+                continue;  // the outside of the room
+            }
+            EXPECT_NEAR(sum * node.area / kPi / expected, 1, 0.03F);
+            uneven +=
+                std::abs(luminance(radiosity_of(*solution, child)) / luminance(radiosity_of(*solution, id)) - 1) > 0.2F;
+        }
+    }
+    EXPECT_GT(uneven, 4);
 }
 
 TEST(SenderLight, a_far_point_of_a_cluster_has_the_inverse_square) {
