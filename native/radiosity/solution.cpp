@@ -28,7 +28,8 @@ Rgb radiosity_of(const Solution& solution, NodeId node) {
 }
 
 Rgb radiosity_at(const Solution& solution, NodeId element, Vec3 point) {
-    return radiosity_of(solution, solution.lighting.leaf_element_at(element, point));
+    const bool divided = solution.hierarchy[element].child_count > 0;
+    return radiosity_of(solution, divided ? solution.lighting.leaf_element_at(element, point) : element);
 }
 
 float spread_of(const Solution& solution, NodeId node) {

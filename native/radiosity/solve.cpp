@@ -22,7 +22,8 @@ namespace {
 constexpr float kCoarseness[] = {16, 4, 1};
 // Of what is asked for: links only have to guide, for faces look around in the end; edges of shadows are seen.
 constexpr float kLinkError = 2, kEdgeError = 0.5F, kSeparatorError = 1.5F, kCreaseError = 2;
-constexpr float kLargeFace = 0.1F;  // share of the extent of light
+constexpr float kCoarsestCreases = 0.02F;  // quality: along the edges of rooms a coarser solve would be far off
+constexpr float kLargeFace = 0.1F;         // share of the extent of light
 constexpr int kSweepsBetween = 5;
 constexpr int kSweepsAtEnd = 200;          // enough for a mean reflectance of 0.97
 constexpr double kConverged = 2e-3;        // sum of all changes of reflected power in one step, share of it
@@ -156,7 +157,8 @@ std::shared_ptr<const Solution> solve(const Scene& scene, const SurfaceColors& c
                 split_at_separators(solution->hierarchy, solution->lighting, tracer,
                                     {kSeparatorError * settings.quality, solution->white}, control);
                 split_at_creases(solution->hierarchy, solution->lighting, tracer,
-                                 {kCreaseError * settings.quality, solution->white}, control);
+                                 {kCreaseError * std::min(settings.quality, kCoarsestCreases), solution->white},
+                                 control);
                 balance_elements(solution->hierarchy, solution->lighting, control);
             }
         }
