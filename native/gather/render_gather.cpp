@@ -25,9 +25,7 @@ constexpr float kLeastCell = 4;         // pixels; in smaller ones little else i
 std::vector<TileFragments> trace_tiles(const Solution& solution, const View& view, const Film& film, Control& control,
                                        Statistics& statistics) {
     const StageTimer timer(statistics, "visible points");
-    const IrradianceAt expected = [&](const Hit& hit, bool back) {
-        return interpolated_irradiance(solution, hit.instance, hit.triangle, back, {hit.u, hit.v});
-    };
+    const IrradianceAt expected = irradiance_by(solution);
     std::vector<TileFragments> tiles(film.tile_count());
     parallel_for(tiles.size(), 1, control, [&](std::size_t i) {
         tiles[i] = trace_tile(view, film.tile(static_cast<std::uint32_t>(i)), &expected);
@@ -133,6 +131,12 @@ class SiteGatherer : public Gatherer {
 };
 
 }  // namespace
+
+IrradianceAt irradiance_by(const Solution& solution) {
+    return [&solution](const Hit& hit, bool back) {
+        return interpolated_irradiance(solution, hit.instance, hit.triangle, back, {hit.u, hit.v});
+    };
+}
 
 ViewCounts full_gather(const Solution& solution, const View& view, int samples, Film& film, Control& control,
                        Statistics& statistics) {

@@ -30,6 +30,9 @@ ViewCounts grid_gather(const Solution& solution, const View& view, const GatherS
                        const Observer* observer, std::uint32_t width, std::uint32_t height, Film& film,
                        Control& control, Statistics& statistics);
 
+// What the solution says of where rays meet surfaces; it must outlive this.
+[[nodiscard]] IrradianceAt irradiance_by(const Solution& solution);
+
 // Every sender anew at every fragment; samples: visibility rays from a point, about.
 ViewCounts full_gather(const Solution& solution, const View& view, int samples, Film& film, Control& control,
                        Statistics& statistics);

@@ -49,13 +49,12 @@ void SenderGroup::add(Vec3 x, Vec3 n) {
 }
 
 std::uint32_t SenderGroup::most_points() const {
-    constexpr std::uint32_t kMost = 1024;  // of an element or a lamp
     if (is_cluster(hierarchy_of(solution_)[sender_])) {
         return kClusterPoints;
     }
     const bool single = lamp_ != nullptr && (lamp_->shape == LampShape::kPoint ||
                                              (lamp_->shape == LampShape::kDistant && lamp_->cos_half_angle >= 1));
-    return single ? 1 : kMost;
+    return single ? 1 : kMostPoints;
 }
 
 bool SenderGroup::infinite() const {

@@ -24,6 +24,8 @@ struct FacePoint {
 };
 inline constexpr std::uint32_t kClusterPoints = 32;
 
+inline constexpr std::uint32_t kMostPoints = 1024;  // of an element or lamp, that differ from one another
+
 // The points of one cluster, field by field, so that many are worked on at once; or none.
 class ClusterFaces {
   public:

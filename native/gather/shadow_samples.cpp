@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "gather/sender_points.h"
 #include "transport/emitter_sampling.h"
 #include "transport/penumbra.h"
 
@@ -11,7 +12,7 @@ namespace gg {
 
 namespace {
 
-constexpr float kFewest = 4, kMost = 1024;
+constexpr float kFewest = 4, kMost = kMostPoints;
 constexpr float kStepsPerPixel = 8;    // for they are not all equally wide, and a pixel is looked at in one place
 constexpr float kMostGrazing = 0.25F;  // cosine from which a penumbra is not taken to be wider
 

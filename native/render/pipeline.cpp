@@ -53,10 +53,8 @@ void render(SceneCache& cache, const RenderSettings& settings, Film& film, Contr
                         PixelCamera(settings.camera, settings.width, settings.height),
                         PixelFilter(settings.filter_type, settings.filter_width),
                         settings.view};
-        const IrradianceAt irradiance_at = [&](const Hit& hit, bool back) {
-            return interpolated_irradiance(*solution, hit.instance, hit.triangle, back, {hit.u, hit.v});
-        };
-        const ViewCounts counts = settings.method == Method::kSolution ? render_view(view, irradiance_at, film, control)
+        const ViewCounts counts = settings.method == Method::kSolution
+                                      ? render_view(view, irradiance_by(*solution), film, control)
                                   : settings.method == Method::kFull
                                       ? full_gather(*solution, view, settings.gather.samples, film, control, statistics)
                                       : gather(*solution, view, settings, film, control, messages, statistics);
