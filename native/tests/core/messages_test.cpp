@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <string>
+
 #include "core/control.h"
 #include "core/parallel.h"
 
@@ -22,6 +25,20 @@ TEST(Messages, equal_object_and_text_are_counted_not_repeated) {
     EXPECT_EQ(all[1].text, "Missing");
     EXPECT_EQ(all[2].object, "Lamp");
     EXPECT_EQ(all[2].count, 1U);
+}
+
+// A scene of broken meshes only.
+TEST(Messages, a_hundred_thousand_objects_take_no_time) {
+    constexpr std::size_t kObjects = 100000;
+    Messages messages;
+    const auto start = std::chrono::steady_clock::now();
+    for (std::size_t i = 0; i < kObjects; ++i) {
+        messages.add("Cube." + std::to_string(i), "Broken");
+    }
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
+    const std::vector<Message> all = messages.all();
+    ASSERT_EQ(all.size(), kObjects);
+    EXPECT_EQ(all.back().object, "Cube.99999");
 }
 
 TEST(Messages, none_is_lost_between_threads) {
