@@ -22,6 +22,9 @@ struct GatherSettings {
     int samples = 512;        // the same
 };
 
+// What the solution says of where rays meet surfaces; it must outlive this.
+[[nodiscard]] IrradianceAt irradiance_by(const Solution& solution);
+
 // All of these fill every tile of the film, report stage progress, and throw Cancelled.
 
 // Models of the light at sites of a grid, blended at every fragment. observer: who tells which errors count; null: the
@@ -29,9 +32,6 @@ struct GatherSettings {
 ViewCounts grid_gather(const Solution& solution, const View& view, const GatherSettings& settings,
                        const Observer* observer, std::uint32_t width, std::uint32_t height, Film& film,
                        Control& control, Statistics& statistics);
-
-// What the solution says of where rays meet surfaces; it must outlive this.
-[[nodiscard]] IrradianceAt irradiance_by(const Solution& solution);
 
 // Every sender anew at every fragment; samples: visibility rays from a point, about.
 ViewCounts full_gather(const Solution& solution, const View& view, int samples, Film& film, Control& control,
