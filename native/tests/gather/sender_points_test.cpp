@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/distance.h"
 #include "gather/sender_light.h"
 #include "support/law_scenes.h"
@@ -146,7 +148,7 @@ TEST(SenderLight, elements_become_linear_without_a_jump) {
     for (NodeId id = 0; id < hierarchy.nodes().size(); ++id) {
         if (hierarchy[id].kind == NodeKind::kElement && hierarchy[id].child_count == 0) {
             const auto corners = corner_radiosity(*solution, id);
-            const float difference = luminance(corners[0]) - luminance(corners[1]);
+            const float difference = luminance(corners[0]) - std::max(luminance(corners[1]), luminance(corners[2]));
             if (difference > most) {
                 most = difference;
                 chosen = id;

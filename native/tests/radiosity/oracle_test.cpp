@@ -8,8 +8,8 @@
 namespace gg::test {
 namespace {
 
-// An equal step in the square root of irradiance up to twice the white; above it an equal one: what is bright lights all
-// that is around it.
+// An equal step in the square root of irradiance up to twice the white; above it an equal one: what is bright lights
+// all that is around it.
 TEST(Oracle, differences_that_are_allowed_grow_up_to_twice_the_white) {
     const RefineSettings settings{0.02F, {4, 1}};
     EXPECT_FLOAT_EQ(allowed_difference(4, settings), 0.08F);
