@@ -35,12 +35,15 @@ float step_to(const Fragment& fragment, Rgb light, const TileFragments& other, c
 
 }  // namespace
 
-Rgb step_at(const Lamp& lamp, const Fragment& fragment, const PixelCamera& camera) {
+float pixel_reach(const Fragment& fragment, const PixelCamera& camera) {
+    const float cosine = std::abs(dot(fragment.normal, camera.direction_to(fragment.position)));
+    return camera.pixel_size(fragment.hit.distance) / std::max(cosine, kSteepest);
+}
+
+Rgb step_at(const Lamp& lamp, const Fragment& fragment, float reach) {
     if (lamp.shape != LampShape::kRectangle && lamp.shape != LampShape::kEllipse) {
         return Rgb(0.0F);
     }
-    const float cosine = std::abs(dot(fragment.normal, camera.direction_to(fragment.position)));
-    const float reach = camera.pixel_size(fragment.hit.distance) / std::max(cosine, kSteepest);
     const Vec3 from = fragment.position - lamp.position;
     const auto is_within = [&](Vec3 half) {
         const float size = length(half);
@@ -70,10 +73,11 @@ std::vector<JumpingFragment> jumps_in(const PixelMap& map, std::size_t tile, std
                                                   light[beside->tile], beside->index));
                 }
             }
+            const Fragment& fragment = own.fragments[f];
+            const float reach = pixel_reach(fragment, camera);
             float at_lamps = 0;
             for (const Lamp& lamp : lamps) {
-                const Fragment& fragment = own.fragments[f];
-                at_lamps = std::max(at_lamps, luminance(fragment.albedo * step_at(lamp, fragment, camera)));
+                at_lamps = std::max(at_lamps, luminance(fragment.albedo * step_at(lamp, fragment, reach)));
             }
             if (step > kJump * seen || at_lamps > kJumpAtLamp * seen) {
                 const float whole = std::max(seen, 1e-20F);

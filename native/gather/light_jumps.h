@@ -26,8 +26,11 @@ struct JumpingFragment {
                                                     std::span<const TileLight> light, std::span<const Lamp> lamps,
                                                     const PixelCamera& camera);
 
-// Where a flat lamp's edge touches the surface within the fragment's pixel: irradiance before the lamp, W/m2. What lies
-// behind it has none. 0 elsewhere.
-[[nodiscard]] Rgb step_at(const Lamp& lamp, const Fragment& fragment, const PixelCamera& camera);
+// How far a pixel reaches over the surface that it shows, m.
+[[nodiscard]] float pixel_reach(const Fragment& fragment, const PixelCamera& camera);
+
+// Where a flat lamp's edge touches the surface within reach [m] of the fragment: irradiance before the lamp, W/m2. What
+// lies behind it has none. 0 elsewhere.
+[[nodiscard]] Rgb step_at(const Lamp& lamp, const Fragment& fragment, float reach);
 
 }  // namespace gg

@@ -19,8 +19,7 @@ constexpr float kSmallestSky = 0.02F;   // sr
 constexpr float kLargestSky = 0.5F;     // sr
 constexpr float kInsignificant = 0.1F;  // share of the tolerance below which four rays will do
 constexpr float kDarkest = 0.01F;       // irradiance below this share of the white tolerates no less
-constexpr float kBrightest = 2;  // irradiance above this share of the white tolerates no more: it lights what is around
-constexpr float kClusterError = 5;  // clusters may be wrong by so much more: their faces look around themselves
+constexpr float kClusterError = 5;      // clusters may be wrong by so much more: their faces look around themselves
 constexpr float kLeastReflectance = 0.05F;
 constexpr float kLeastContrast = 0.1F;  // of a sender to its surroundings that is always counted
 constexpr float kLeastExposed = 0.25F;
@@ -42,7 +41,7 @@ float size_in_details(float radius, const RefineSettings& settings) {
 
 float allowed_difference(float irradiance, const RefineSettings& settings) {
     const float white = settings.white.irradiance;
-    return settings.tolerance * std::sqrt(white * std::clamp(irradiance, kDarkest * white, kBrightest * white));
+    return settings.tolerance * std::sqrt(white * std::max(irradiance, kDarkest * white));
 }
 
 float allowed_error(const Node& receiver, float irradiance, const RefineSettings& settings) {

@@ -20,7 +20,7 @@ struct Decision {
 [[nodiscard]] float size_in_details(float radius, const RefineSettings& settings);
 
 // Difference of radiosity that may go unnoticed [W/m2]: an equal step in the square root of irradiance, which is about
-// an equal step in display code, so that dim rooms are solved as well as bright ones. No more above twice the white.
+// an equal step in display code, so that dim rooms are solved as well as bright ones.
 [[nodiscard]] float allowed_difference(float irradiance, const RefineSettings& settings);
 
 // Error that may be made in the radiosity of a receiver [W/m2]: more where it is small.

@@ -133,7 +133,7 @@ TEST(LightJumps, a_lamp_that_touches_the_surface_within_a_pixel_is_a_step) {
     floor.hit.distance = 10;
     const auto step_near = [&](Vec3 position) {
         floor.position = position;
-        return luminance(step_at(lamp, floor, camera_above()));
+        return luminance(step_at(lamp, floor, pixel_reach(floor, camera_above())));
     };
     EXPECT_NEAR(step_near({0.008F, 0, 0}), kPi, 1e-5F);  // half of all around, of radiance 2
     EXPECT_NEAR(step_near({-0.008F, 0.505F, -0.005F}), kPi, 1e-5F);
@@ -154,9 +154,9 @@ TEST(LightJumps, a_slanted_pixel_reaches_farther) {
     wall.position = {0.03F, 0, 0};
     wall.normal = {0, std::sqrt(0.9375F), 0.25F};
     wall.hit.distance = 10;
-    EXPECT_GT(luminance(step_at(lamp, wall, camera_above())), 0);
+    EXPECT_GT(luminance(step_at(lamp, wall, pixel_reach(wall, camera_above()))), 0);
     wall.position.x = 0.05F;
-    EXPECT_EQ(luminance(step_at(lamp, wall, camera_above())), 0);
+    EXPECT_EQ(luminance(step_at(lamp, wall, pixel_reach(wall, camera_above()))), 0);
 }
 
 TEST(LightJumps, a_fragment_at_a_lamps_edge_is_found_though_no_pixel_beside_it_differs) {
