@@ -137,6 +137,7 @@ RenderSettings convert_settings(const gg_camera* camera, const gg_settings& sett
     const GatherSettings standard;
     result.gather.surfaces = settings.sites == GG_SITES_SURFACES_AND_GRID;
     result.gather.free_space = settings.receivers == GG_RECEIVERS_FREE_SPACE;
+    result.gather.shared = !result.gather.free_space;  // which only the paper does
     result.gather.law = settings.depth_law == GG_DEPTH_RECIPROCAL ? DepthLaw::kReciprocal : DepthLaw::kLogarithmic;
     result.gather.cell = number(settings.cell_size, standard.cell, 4, 200, "cell_size is out of range");
     result.gather.threshold = number(settings.threshold, standard.threshold, 1e-4F, 1, "threshold is out of range");

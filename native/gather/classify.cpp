@@ -240,7 +240,8 @@ Site Classifier::classify(std::span<const Receiver> receivers, float threshold) 
             }
             site.senders.push_back({candidate.cut.sender, candidate.resample_form_factor, candidate.resample_visibility,
                                     std::max(kLeastSamples, (candidate.mixed ? 1 : kUnmixed) * wanted),
-                                    candidate.visibility, candidate.brings.irradiance, candidate.brings.direction});
+                                    candidate.visibility, candidate.brings.irradiance, candidate.brings.direction,
+                                    is_soft(hierarchy_of(solution_)[candidate.cut.sender])});
         } else if (lamp) {
             site.beams.push_back({candidate.brings.direction, candidate.visibility * candidate.brings.irradiance});
         }

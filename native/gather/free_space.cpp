@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gather/sender_light.h"
+#include "gather/sender_place.h"
 
 namespace gg {
 
@@ -182,7 +183,8 @@ Site FreeSpaceClassifier::classify(const FreeSpace& space, float threshold) {
             const float samples = looked_at ? shadow_samples(shadow, threshold)
                                             : static_cast<float>(settings_.samples) * candidate.importance;
             site.senders.push_back({candidate.sender, form_factor, seen, std::max(samples, 1.0F), visibility,
-                                    candidate.irradiance, candidate.direction});
+                                    candidate.irradiance, candidate.direction,
+                                    is_soft(hierarchy_of(solution_)[candidate.sender])});
         } else if (visibility > 0) {
             site.beams.push_back({candidate.direction, visibility * candidate.irradiance});
         }

@@ -4,22 +4,15 @@
 #include <array>
 #include <cmath>
 
+#include "gather/same_surface.h"
+
 namespace gg {
 
 namespace {
 
 constexpr float kJump = 0.2F;         // of the pixel's light
 constexpr float kJumpAtLamp = 0.05F;  // the same where a lamp begins, whose place is known
-constexpr float kSameSurface = 0.9F;  // cosine between normals
 constexpr float kSteepest = 0.1F;     // cosine between a surface and the view, below which pixels see no more of it
-constexpr float kOffPlane = 0.5F;     // sine of the angle to the surface under which the other one lies, at most
-
-// Leaves of one plant that lie behind one another are not.
-bool is_same_surface(const Fragment& a, const Fragment& b) {
-    const Vec3 across = b.position - a.position;
-    return a.hit.instance == b.hit.instance && a.back == b.back && dot(a.normal, b.normal) > kSameSurface &&
-           std::abs(dot(across, a.normal)) <= kOffPlane * length(across);
-}
 
 // The largest difference between a fragment's light and that of its surface in another pixel, as the picture shows it.
 float step_to(const Fragment& fragment, Rgb light, const TileFragments& other, const TileLight& other_light,

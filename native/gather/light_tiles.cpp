@@ -48,6 +48,7 @@ struct LitTile {
     TileLight light;
     std::vector<Rgb> soft;           // PointLight::soft of every fragment
     std::vector<PixelCounts> taken;  // per pixel
+    std::uint64_t shared = 0;        // fragments that take their soft light from others
 };
 
 class TileLighter {
@@ -55,24 +56,15 @@ class TileLighter {
     TileLighter(const View& view, const TileFragments& tile, Gatherer& gatherer, LitTile& lit, const Control& control)
         : view_(view), tile_(tile), gatherer_(gatherer), lit_(lit), control_(control) {}
 
-    void light_fragments() {
+    void light_fragments(const Sharing& sharing) {
         lit_.taken.resize(tile_.pixels.size());
         std::vector<PointLight> light(tile_.fragments.size());
-        std::vector<PointCounts> taken(tile_.fragments.size());
-        for (std::size_t begin = 0; begin < taken.size(); begin += kFragmentsAtOnce) {
-            control_.check_cancel();
-            const std::size_t count = std::min(kFragmentsAtOnce, taken.size() - begin);
-            gatherer_.shade(std::span(tile_.fragments).subspan(begin, count), std::span(light).subspan(begin, count),
-                            std::span(taken).subspan(begin, count));
+        for (const SharingStage& stage : sharing_stages(tile_.tile.width, tile_.tile.height, sharing.spacing)) {
+            light_stage(stage, sharing.tolerance, light);
         }
         for (const PointLight& of_fragment : light) {
             lit_.light.push_back(of_fragment.all);
             lit_.soft.push_back(of_fragment.soft);
-        }
-        for (std::size_t p = 0; p < tile_.pixels.size(); ++p) {
-            for (std::uint32_t f = tile_.begin_of(p); f < tile_.pixels[p].end; ++f) {
-                lit_.taken[p].add(taken[f]);
-            }
         }
     }
 
@@ -99,6 +91,33 @@ class TileLighter {
     }
 
   private:
+    void light_stage(const SharingStage& stage, float tolerance, std::vector<PointLight>& all) {
+        std::vector<std::uint32_t> pixels, indices;
+        std::vector<KnownLight> known;
+        own_.clear();
+        for (const std::uint32_t p : stage.pixels) {
+            for (std::uint32_t f = tile_.begin_of(p); f < tile_.pixels[p].end; ++f) {
+                pixels.push_back(p);
+                indices.push_back(f);
+                own_.push_back(tile_.fragments[f]);
+                known.push_back(shared_light(tile_, all, stage, p, f, tolerance));
+                lit_.shared += known.back().soft ? 1 : 0;
+            }
+        }
+        light_.assign(own_.size(), {});
+        taken_.assign(own_.size(), {});
+        for (std::size_t begin = 0; begin < own_.size(); begin += kFragmentsAtOnce) {
+            control_.check_cancel();
+            const std::size_t count = std::min(kFragmentsAtOnce, own_.size() - begin);
+            gatherer_.shade(std::span(own_).subspan(begin, count), std::span(known).subspan(begin, count),
+                            std::span(light_).subspan(begin, count), std::span(taken_).subspan(begin, count));
+        }
+        for (std::size_t i = 0; i < own_.size(); ++i) {
+            all[indices[i]] = std::move(light_[i]);
+            lit_.taken[pixels[i]].add(taken_[i]);
+        }
+    }
+
     // Over the parts of a fragment. Returns how much light differs between them, as the picture would show it if each
     // were the whole fragment.
     float light_mean(std::span<const FragmentPart> parts, const JumpingFragment& of) {
@@ -176,8 +195,8 @@ std::vector<PassValues> pass_values(const PixelMap& map, std::size_t tile, const
 }  // namespace
 
 ViewCounts light_tiles(const View& view, std::span<const TileFragments> tiles, const MaskingMap* seen,
-                       const std::function<std::unique_ptr<Gatherer>()>& make, Film& film, Control& control,
-                       Statistics& statistics) {
+                       const Sharing& sharing, const std::function<std::unique_ptr<Gatherer>()>& make, Film& film,
+                       Control& control, Statistics& statistics) {
     const StageTimer timer(statistics, "shading");
     std::mutex mutex;
     GatherCounts total;
@@ -190,12 +209,14 @@ ViewCounts light_tiles(const View& view, std::span<const TileFragments> tiles, c
     std::vector<LitTile> lit(tiles.size());
     parallel_for(tiles.size(), 1, control, [&](std::size_t i) {
         const auto gatherer = make();
-        TileLighter(view, tiles[i], *gatherer, lit[i], control).light_fragments();
+        TileLighter(view, tiles[i], *gatherer, lit[i], control).light_fragments(sharing);
         step(*gatherer);
     });
     std::vector<TileLight> before;  // what jumps are found in while light changes
     before.reserve(lit.size());
+    std::uint64_t shared = 0;
     for (const LitTile& tile : lit) {
+        shared += tile.shared;
         before.push_back(tile.light);
     }
     std::atomic<std::uint64_t> dropped{0}, divided{0};
@@ -219,6 +240,7 @@ ViewCounts light_tiles(const View& view, std::span<const TileFragments> tiles, c
     });
     report(total, statistics);
     statistics.set_count("fragments divided", static_cast<double>(divided));
+    statistics.set_count("fragments that share soft light", static_cast<double>(shared));
     const std::uint64_t pixels = std::uint64_t{view.settings.crop.width} * view.settings.crop.height;
     return {pixels * view.settings.samples, dropped};
 }

@@ -10,6 +10,7 @@
 #include "film/solution_view.h"
 #include "gather/gather_counts.h"
 #include "gather/shade.h"
+#include "gather/shared_light.h"
 #include "perception/masking.h"
 
 namespace gg {
@@ -22,9 +23,9 @@ class Gatherer {
   public:
     virtual ~Gatherer() = default;
 
-    // Neighbours are faster together. light, taken: of each; what it took.
-    virtual void shade(std::span<const Fragment> fragments, std::span<PointLight> light,
-                       std::span<PointCounts> taken) = 0;
+    // Neighbours are faster together. known, light, taken: of each; what it took.
+    virtual void shade(std::span<const Fragment> fragments, std::span<const KnownLight> known,
+                       std::span<PointLight> light, std::span<PointCounts> taken) = 0;
     // The same for parts of a fragment that has been shaded: what is known of the light around it does for them, too,
     // though they may lie where nothing else was seen. soft: of that fragment.
     virtual void shade_parts(const Fragment& whole, Rgb soft, std::span<const Fragment> parts,
@@ -39,7 +40,7 @@ class Gatherer {
 // Fills the film and its passes. tiles: of the film, in its order. seen: of the whole film; null without an observer.
 // make: called once for each tile and thread. Reports stage progress. Throws Cancelled.
 ViewCounts light_tiles(const View& view, std::span<const TileFragments> tiles, const MaskingMap* seen,
-                       const std::function<std::unique_ptr<Gatherer>()>& make, Film& film, Control& control,
-                       Statistics& statistics);
+                       const Sharing& sharing, const std::function<std::unique_ptr<Gatherer>()>& make, Film& film,
+                       Control& control, Statistics& statistics);
 
 }  // namespace gg

@@ -39,11 +39,11 @@ class FullGatherer : public Gatherer {
                  int samples)
         : solution_(solution), gather_(solution, order, points, tracer, samples) {}
 
-    void shade(std::span<const Fragment> fragments, std::span<PointLight> light,
+    void shade(std::span<const Fragment> fragments, std::span<const KnownLight>, std::span<PointLight> light,
                std::span<PointCounts> taken) override {
         for (std::size_t i = 0; i < fragments.size(); ++i) {
             const GatherCounts before = gather_.counts();
-            light[i] = {gather_.irradiance(fragments[i], luminance(irradiance_at(solution_, fragments[i]))), Rgb(0.0F)};
+            light[i].all = gather_.irradiance(fragments[i], luminance(irradiance_at(solution_, fragments[i])));
             const GatherCounts& now = gather_.counts();
             taken[i] = {static_cast<std::uint32_t>(now.visibility_rays + now.near_rays - before.visibility_rays -
                                                    before.near_rays),
@@ -53,7 +53,7 @@ class FullGatherer : public Gatherer {
     }
     void shade_parts(const Fragment&, Rgb, std::span<const Fragment> parts, std::span<PointLight> light,
                      std::span<PointCounts> taken) override {
-        shade(parts, light, taken);
+        shade(parts, {}, light, taken);
     }
     [[nodiscard]] const GatherCounts& counts() const override { return gather_.counts(); }
     [[nodiscard]] std::uint32_t cell_of(const Fragment&) const override { return 0; }
@@ -71,11 +71,12 @@ class SiteGatherer : public Gatherer {
                  std::span<const float> thresholds, const Shader& shader)
         : places_(places), receivers_(receivers), sites_(sites), thresholds_(thresholds), shader_(shader) {}
 
-    void shade(std::span<const Fragment> fragments, std::span<PointLight> light,
+    void shade(std::span<const Fragment> fragments, std::span<const KnownLight> known, std::span<PointLight> light,
                std::span<PointCounts> taken) override {
         placed_.clear();
-        for (const Fragment& at : fragments) {
-            placed_.push_back(placed(at));
+        for (std::size_t i = 0; i < fragments.size(); ++i) {
+            placed_.push_back(placed(fragments[i]));
+            placed_.back().known = known[i];
         }
         shader_.shade(placed_, light, taken);
     }
@@ -85,7 +86,7 @@ class SiteGatherer : public Gatherer {
         for (const Fragment& at : parts) {
             placed_.push_back(placed(has_all_sites(at) ? at : whole));
             placed_.back().at = at;
-            placed_.back().soft = soft;
+            placed_.back().known.soft = soft;
             placed_.back().part = static_cast<std::uint32_t>(placed_.size() - 1);
         }
         shader_.shade(placed_, light, taken);
@@ -144,7 +145,7 @@ ViewCounts full_gather(const Solution& solution, const View& view, int samples, 
     const ClusterPoints points(solution, control);
     const NodeOrder order(hierarchy_of(solution));
     const auto make = [&] { return std::make_unique<FullGatherer>(solution, order, points, view.tracer, samples); };
-    return light_tiles(view, tiles, nullptr, make, film, control, statistics);
+    return light_tiles(view, tiles, nullptr, {}, make, film, control, statistics);
 }
 
 ViewCounts grid_gather(const Solution& solution, const View& view, const GatherSettings& settings,
@@ -186,7 +187,8 @@ ViewCounts grid_gather(const Solution& solution, const View& view, const GatherS
     timer.reset();
     const Shader shader(solution, order, points, view.tracer);
     const auto make = [&] { return std::make_unique<SiteGatherer>(places, receivers, sites, thresholds, shader); };
-    return light_tiles(view, tiles, seen ? &*seen : nullptr, make, film, control, statistics);
+    const Sharing sharing = settings.shared ? sharing_in(cells.cell, settings.threshold) : Sharing{};
+    return light_tiles(view, tiles, seen ? &*seen : nullptr, sharing, make, film, control, statistics);
 }
 
 }  // namespace gg

@@ -16,6 +16,7 @@ class Statistics;
 struct GatherSettings {
     bool free_space = false;  // sites look from points in free space and count hits, not from what is seen
     bool surfaces = true;     // fine elements have sites of their own
+    bool shared = true;       // points take over what those around them agree about
     DepthLaw law = DepthLaw::kLogarithmic;
     float cell = 20;  // side of a grid cell, pixels of a picture that is 350 pixels high, or wide if that is less
     float threshold = 0.03F;  // see ClassifySettings

@@ -16,10 +16,10 @@ void SenderGroup::begin(NodeId sender) {
     lamp_ = node.kind == NodeKind::kLamp ? &hierarchy_of(solution_).scene().lamps[node.source] : nullptr;
     sampler_.reset();
     blocks_.clear();
-    count_ = by_angle_ = 0;
+    count_ = looking_ = by_angle_ = 0;
 }
 
-void SenderGroup::add(Vec3 x, Vec3 n) {
+void SenderGroup::add(Vec3 x, Vec3 n, bool looks) {
     const std::size_t lane = count_ % kLanes;
     if (lane == 0) {
         blocks_.emplace_back();
@@ -28,6 +28,10 @@ void SenderGroup::add(Vec3 x, Vec3 n) {
     ++count_;
     block.x.set(lane, x);
     block.n.set(lane, n);
+    if (!looks) {
+        return;
+    }
+    ++looking_;
     if (!sampler_ && !is_cluster(hierarchy_of(solution_)[sender_])) {
         sampler_.emplace(solution_, sender_, x, n);
     }
@@ -193,8 +197,8 @@ void SenderGroup::light(std::vector<Rgb>& out) const {
     }
 }
 
-void SenderGroup::see(std::uint32_t index, GroupPoint& out) const {
-    const std::size_t size = blocks_.size() * kLanes;
+void SenderGroup::see(std::uint32_t index, std::size_t receivers, GroupPoint& out) const {
+    const std::size_t blocks = (receivers + kLanes - 1) / kLanes, size = blocks * kLanes;
     for (std::vector<float>* field : {&out.x, &out.y, &out.z, &out.weight}) {
         field->resize(size);
     }
@@ -202,14 +206,14 @@ void SenderGroup::see(std::uint32_t index, GroupPoint& out) const {
     if (lamp_ != nullptr) {
         place = sampler_->place(index);
     }
-    const Target common = has_targets() && by_angle_ < count_ ? target(index) : Target();
+    const Target common = has_targets() && by_angle_ < looking_ ? target(index) : Target();
     const Vec2 disk =
         lamp_ != nullptr && lamp_->shape == LampShape::kSphere ? square_to_disk(place.u, place.v) : Vec2(0);
-    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    for (std::size_t b = 0; b < blocks; ++b) {
         const Block& block = blocks_[b];
         Seen seen;
         if (has_targets()) {
-            if (by_angle_ < count_) {
+            if (by_angle_ < looking_) {
                 seen = see(common, block);
             }
             if (by_angle_ > 0) {

@@ -27,8 +27,8 @@ class SenderGroup {
 
     // The next sender, without receivers.
     void begin(NodeId sender);
-    // Unit normal n.
-    void add(Vec3 x, Vec3 n);
+    // Unit normal n. looks: also for see(); those that do are the first ones.
+    void add(Vec3 x, Vec3 n, bool looks = true);
 
     // At most so many points differ from one another.
     [[nodiscard]] std::uint32_t most_points() const;
@@ -37,7 +37,10 @@ class SenderGroup {
     [[nodiscard]] float facing_weight(Vec3 x) const;
     // Of each receiver: unoccluded_irradiance().
     void light(std::vector<Rgb>& out) const;
-    void see(std::uint32_t index, GroupPoint& out) const;
+    // What each receiver that looks sees of a point.
+    // The same of the first `receivers` alone.
+    void see(std::uint32_t index, std::size_t receivers, GroupPoint& out) const;
+    void see(std::uint32_t index, GroupPoint& out) const { see(index, looking_, out); }
     // The first `count` indices, those of neighbouring points next to one another.
     std::span<const std::uint32_t> in_blocks(std::uint32_t count, std::vector<std::uint32_t>& order) const;
 
@@ -83,7 +86,8 @@ class SenderGroup {
     Vec3 axis_x_{0.0F}, axis_y_{0.0F}, axis_z_{0.0F};  // of a rectangle that is seen by its solid angle
     std::vector<Block> blocks_;
     std::size_t count_ = 0;     // of receivers
-    std::size_t by_angle_ = 0;  // of them
+    std::size_t looking_ = 0;   // of them, the first ones
+    std::size_t by_angle_ = 0;  // of these
 };
 
 }  // namespace gg

@@ -11,6 +11,11 @@ namespace gg {
 [[nodiscard]] bool is_below_horizon(const Scene& scene, const Node& sender, Vec3 position, Vec3 normal);
 [[nodiscard]] bool crosses_horizon(const Scene& scene, const Node& sender, Vec3 position, Vec3 normal);
 
+// Whether it is a surface that does not glow.
+[[nodiscard]] inline bool is_soft(const Node& sender) {
+    return sender.kind != NodeKind::kLamp && sender.emission == Rgb(0.0F);
+}
+
 // Too close to the box for a few points of it to tell how much the sender's form factor varies there.
 [[nodiscard]] bool is_close(const Scene& scene, const Node& sender, const Box& receivers);
 

@@ -19,12 +19,6 @@ constexpr float kSmallShare = 0.3F;       // of a pixel, for which one of two di
 Shader::Shader(const Solution& solution, const NodeOrder& order, const ClusterPoints& points, const RayTracer& tracer)
     : solution_(solution), tracer_(tracer), surroundings_(solution, order, tracer), group_(solution, points) {}
 
-// Whether its light belongs to PointLight::soft.
-bool Shader::is_soft(NodeId sender) const {
-    const Node& node = hierarchy_of(solution_)[sender];
-    return node.kind != NodeKind::kLamp && node.emission == Rgb(0.0F);
-}
-
 // Adds the union of the sites' senders to the tasks, but for what is known.
 void Shader::plan(const PlacedFragment& fragment) {
     const auto sites = fragment.sites();
@@ -32,12 +26,16 @@ void Shader::plan(const PlacedFragment& fragment) {
     std::array<std::uint32_t, SitePlace::kMost> heads{};
     const auto move_to = [&](std::size_t i, std::uint32_t place) {
         const auto& senders = sites[i].site->senders;
+        while (fragment.known.soft && place < senders.size() && senders[place].soft) {
+            ++place;
+        }
         next[i] = place;
         heads[i] = place < senders.size() ? senders[place].sender : kNone;
     };
     for (std::size_t i = 0; i < sites.size(); ++i) {
         move_to(i, 0);
     }
+    auto known = fragment.known.glowing.begin();
     merge(std::span(heads).first(sites.size()), [&](NodeId sender) {
         Task task;
         task.sender = sender;
@@ -46,18 +44,26 @@ void Shader::plan(const PlacedFragment& fragment) {
             if (heads[i] == sender) {
                 const SiteSender& model = sites[i].site->senders[next[i]];
                 move_to(i, next[i] + 1);
+                task.soft = model.soft;
                 task.form_factor = task.form_factor || model.resample_form_factor;
                 task.visibility = task.visibility || model.resample_visibility;
                 const float weight = model.resample_visibility ? sites[i].weight : 0.0F;
                 task.samples += weight * model.samples;
                 task.expected += weight * model.visibility;
+                const float cosine = std::max(0.0F, dot(fragment.at.shading_normal, model.direction));
+                task.bright = std::max(task.bright, cosine * luminance(model.irradiance));
                 resampled += weight;
             }
         }
         task.expected /= std::max(resampled, 1e-30F);
-        if (!fragment.soft || !is_soft(sender)) {
-            tasks_.push_back(task);
+        while (known != fragment.known.glowing.end() && known->sender < sender) {
+            ++known;
         }
+        if (task.visibility && known != fragment.known.glowing.end() && known->sender == sender) {
+            task.known = true;
+            task.expected = known->visibility;
+        }
+        tasks_.push_back(task);
     });
 }
 
@@ -77,7 +83,7 @@ void Shader::trace() {
         ++points_[owner.point].taken.visibility_rays;
     }
     for (std::size_t k = 0; k < sky_rays_; ++k) {
-        points_[owners_[k].point].light.all += blocked_[k] ? Rgb(0.0F) : owners_[k].weight * world;
+        points_[owners_[k].point].light.sky += blocked_[k] ? Rgb(0.0F) : owners_[k].weight * world;
     }
     for (std::size_t k = sky_rays_; k < rays_.size(); ++k) {
         Task& task = tasks_[owners_[k].task];
@@ -97,8 +103,7 @@ PointLight Shader::light_of_models(const PlacedFragment& fragment, const Point& 
         Rgb soft(0.0F);
         std::size_t k = point.first_task;
         for (const SiteSender& model : site.senders) {
-            const bool is_part_of_soft = is_soft(model.sender);
-            if (is_part_of_soft && fragment.soft) {
+            if (model.soft && fragment.known.soft) {
                 continue;
             }
             while (tasks_[k].sender != model.sender) {
@@ -108,8 +113,7 @@ PointLight Shader::light_of_models(const PlacedFragment& fragment, const Point& 
             const Rgb unoccluded = model.resample_form_factor
                                        ? task.unoccluded
                                        : std::max(0.0F, dot(normal, model.direction)) * model.irradiance;
-            (is_part_of_soft ? soft : light) +=
-                (model.resample_visibility ? task.visible() : model.visibility) * unoccluded;
+            (model.soft ? soft : light) += (model.resample_visibility ? task.visible() : model.visibility) * unoccluded;
         }
         sum.all += weighted.weight * light;
         sum.soft += weighted.weight * soft;
@@ -121,8 +125,8 @@ void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
     near_.clear();
     for (std::size_t p = 0; p < fragments.size(); ++p) {
         near_.push_back({points_[p].x, fragments[p].at.normal, {}, 0});
-        if (fragments[p].soft) {
-            points_[p].light.soft = *fragments[p].soft;
+        if (fragments[p].known.soft) {
+            points_[p].light.soft = *fragments[p].known.soft;
             continue;
         }
         for (const WeightedSite& weighted : fragments[p].sites()) {
@@ -191,7 +195,13 @@ void Shader::shade(std::span<const PlacedFragment> fragments, std::span<PointLig
     add_near_light(fragments);
     for (std::size_t p = 0; p < fragments.size(); ++p) {
         light[p] = points_[p].light;
-        light[p].all += light[p].soft;
+        light[p].sky = fragments[p].known.sky.value_or(light[p].sky);
+        light[p].all += light[p].soft + light[p].sky;
+        for (std::size_t k = points_[p].first_task; k < points_[p].end_task; ++k) {
+            if (tasks_[k].visibility && !tasks_[k].soft) {
+                light[p].glowing.push_back({tasks_[k].sender, tasks_[k].visible(), tasks_[k].bright});
+            }
+        }
         taken[p] = points_[p].taken;
         counts_.form_factors += taken[p].form_factors;
         counts_.on_surface += taken[p].on_surface;

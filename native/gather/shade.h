@@ -10,6 +10,7 @@
 #include "film/fragments.h"
 #include "gather/gather_counts.h"
 #include "gather/sender_group.h"
+#include "gather/shared_light.h"
 #include "gather/site.h"
 #include "gather/site_places.h"
 #include "gather/surroundings.h"
@@ -26,20 +27,12 @@ struct WeightedSite {
 struct PlacedFragment {
     Fragment at;
     std::array<WeightedSite, SitePlace::kMost> around;
-    std::uint32_t count = 0;                 // of sites
-    float on_surface = 0;                    // weight of those on the fragment's surface
-    std::optional<Rgb> soft = std::nullopt;  // if it is known: PointLight::soft
-    std::uint32_t part = 0;                  // of fragments whose mean counts: which, for each sees other points
+    std::uint32_t count = 0;  // of sites
+    float on_surface = 0;     // weight of those on the fragment's surface
+    KnownLight known = {};
+    std::uint32_t part = 0;  // of fragments whose mean counts: which, for each sees other points
 
     [[nodiscard]] std::span<const WeightedSite> sites() const { return std::span(around).first(count); }
-};
-
-// Irradiance, W/m2.
-struct PointLight {
-    Rgb all{0.0F};
-    // Part of it: from surfaces that do not glow, beyond what tables say of their directions. It casts no shadows that
-    // are sharp enough to change within a pixel.
-    Rgb soft{0.0F};
 };
 
 // Shades points, several at a time: where they lie together, so do their rays. For one thread.
@@ -59,13 +52,15 @@ class Shader {
     // A sender of any of a point's sites.
     struct Task {
         NodeId sender = kNone;
-        bool form_factor = false, visibility = false;
+        bool form_factor = false, visibility = false, soft = false;
         float samples = 0;
         Rgb unoccluded{0.0F};
         float expected = 0;        // visibility by the sites that resample it
+        float bright = 0;          // about what it brings unoccluded, luminance, W/m2
         float sent = 0, seen = 0;  // weights of all rays, and of those that arrive
+        bool known = false;        // `expected` is its visibility
 
-        [[nodiscard]] float visible() const { return sent > 0 ? seen / sent : 0; }
+        [[nodiscard]] float visible() const { return known ? expected : sent > 0 ? seen / sent : 0; }
     };
 
     struct Point {
@@ -89,13 +84,14 @@ class Shader {
         float of_all = 0, of_last = 0;  // share of a sample, and of one after the last whole one
 
         [[nodiscard]] std::uint32_t count() const { return whole + (of_last > 0 ? 1 : 0); }
+        [[nodiscard]] std::uint32_t end() const { return first + count(); }
     };
 
-    [[nodiscard]] bool is_soft(NodeId sender) const;
     void plan(const PlacedFragment& fragment);
     void add_ray(RayOwner owner, Vec3 direction, float far);
     void add_sky_rays(std::span<const PlacedFragment> fragments);
     void look_at_senders(std::span<const PlacedFragment> fragments);
+    void plan_samples(std::span<const PlacedFragment> fragments);
     void work_out_form_factors();
     void add_rays(std::span<const PlacedFragment> fragments);
     void trace();

@@ -1,5 +1,6 @@
 // The rays that points need that are shaded together.
 #include <algorithm>
+#include <bit>
 
 #include "gather/merge_lists.h"
 #include "gather/shade.h"
@@ -36,7 +37,7 @@ void Shader::add_sky_rays(std::span<const PlacedFragment> fragments) {
         heads_[i] = place < leaves.size() ? leaves[place].id : kNone;
     };
     for (std::size_t p = 0; p < fragments.size(); ++p) {
-        for (std::size_t k = 0; k < fragments[p].count; ++k) {
+        for (std::size_t k = 0; k < (fragments[p].known.sky ? 0 : fragments[p].count); ++k) {
             move_to(kMost * p + k, 0);
         }
     }
@@ -80,9 +81,12 @@ void Shader::look_at_senders(std::span<const PlacedFragment> fragments) {
         for (std::uint32_t p = 0; p < points_.size(); ++p) {
             if (heads_[p] == sender) {
                 members_.push_back({p, next_[p]});
-                group_.add(points_[p].x, fragments[p].at.shading_normal);
                 move_to(p, next_[p] + 1);
             }
+        }
+        plan_samples(fragments);
+        for (const Member& member : members_) {
+            group_.add(points_[member.point].x, fragments[member.point].at.shading_normal, member.count() > 0);
         }
         work_out_form_factors();
         add_rays(fragments);
@@ -99,21 +103,22 @@ void Shader::work_out_form_factors() {
         Task& task = tasks_[members_[k].task];
         if (task.form_factor) {
             task.unoccluded = unoccluded_[k];
+            task.bright = luminance(task.unoccluded);
             ++points_[members_[k].point].taken.form_factors;
         }
     }
 }
 
-// Rays of the members to a prefix of the sender's points, or to those that follow for other parts of a pixel: all that
-// go to the same one together. The last one counts by the fraction of the sample number, so that a number that changes
-// from point to point changes nothing at once.
+// Each member looks at a prefix of the sender's points, or at those that follow for other parts of a pixel. The last
+// one counts by the fraction of the sample number, so that a number that changes from point to point changes nothing at
+// once.
 // Where all of the prefix turns away from a point that sees other parts of the sender, what the sites know counts
 // instead.
-void Shader::add_rays(std::span<const PlacedFragment> fragments) {
-    std::uint32_t most = 0;
+// Members that look at more come first.
+void Shader::plan_samples(std::span<const PlacedFragment> fragments) {
     for (Member& member : members_) {
         Task& task = tasks_[member.task];
-        if (!task.visibility) {
+        if (!task.visibility || task.known) {
             continue;
         }
         const float samples = std::clamp(task.samples * points_[member.point].share_of_samples, 1.0F,
@@ -125,14 +130,29 @@ void Shader::add_rays(std::span<const PlacedFragment> fragments) {
         member.of_last = fraction / static_cast<float>(member.whole + 1);
         // Few points of a prefix say little of a shadow with holes, and for all parts of a pixel the same.
         member.first = fragments[member.point].part * member.count() % (group_.most_points() - member.count() + 1);
-        most = std::max(most, member.first + member.count());
         task.sent = kDoubt * group_.facing_weight(points_[member.point].x);
         task.seen = task.expected * task.sent;
     }
+    // By classes alone, so that neighbours stay together.
+    std::stable_sort(members_.begin(), members_.end(), [](const Member& a, const Member& b) {
+        return std::bit_width(a.end()) > std::bit_width(b.end());
+    });
+}
+
+// Rays of the members: all that go to the same point of the sender together.
+void Shader::add_rays(std::span<const PlacedFragment> fragments) {
+    std::uint32_t most = 0;
+    for (const Member& member : members_) {
+        most = std::max(most, member.end());
+    }
     const float far = group_.infinite() ? kInfinity : kAlmost;
     for (const std::uint32_t i : group_.in_blocks(most, order_)) {
-        group_.see(i, seen_);
-        for (std::size_t k = 0; k < members_.size(); ++k) {
+        const auto enough = std::partition_point(members_.begin(), members_.end(), [&](const Member& member) {
+            return std::bit_width(member.end()) >= std::bit_width(i + 1);
+        });
+        const auto looking = static_cast<std::size_t>(enough - members_.begin());
+        group_.see(i, looking, seen_);
+        for (std::size_t k = 0; k < looking; ++k) {
             const Member& member = members_[k];
             const std::uint32_t own = i - member.first;  // beyond count() also where i is before the first
             if (own < member.count() && seen_.weight[k] > 0) {

@@ -23,6 +23,7 @@ struct SiteSender {
     float visibility = 0;  // 0..1 at the site
     Rgb irradiance{0.0F};  // unoccluded, on a plane that faces `direction` [W/m2]
     Vec3 direction{0.0F};  // unit, to the sender
+    bool soft = false;     // its light belongs to PointLight::soft
 };
 
 // A sender that needs no closer look: on normal n it brings max(0, n.direction) * irradiance.

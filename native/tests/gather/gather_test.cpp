@@ -9,6 +9,7 @@
 #include "gather/shade.h"
 #include "oracles/path_irradiance.h"
 #include "oracles/solution_irradiance.h"
+#include "support/gather_scenes.h"
 #include "support/grid_picture.h"
 #include "support/law_scenes.h"
 #include "trace/surface_point.h"
@@ -163,12 +164,60 @@ TEST(GridGatherTest, soft_light_that_is_known_is_not_worked_out_again) {
         PointCounts whole_took, part_took;
         const PointLight whole = shade(whole_took);
         EXPECT_GT(luminance(whole.soft), 0.02F * luminance(whole.all)) << wall;
-        placed.soft = 3.0F * whole.soft;
+        placed.known.soft = 3.0F * whole.soft;
         const PointLight part = shade(part_took);
         EXPECT_NEAR(luminance(part.all), luminance(whole.all + 2.0F * whole.soft), 1e-4F) << wall;
-        EXPECT_EQ(part.soft, placed.soft) << wall;
+        EXPECT_EQ(part.soft, *placed.known.soft) << wall;
         EXPECT_LT(part_took.visibility_rays, 0.7F * static_cast<float>(whole_took.visibility_rays)) << wall;
     }
+}
+
+// The same of senders that glow: what the point saw of them itself brings the same light, without their rays.
+TEST(GridGatherTest, visibility_that_is_known_is_not_looked_at_again) {
+    Gathered room(lamp_room(0.5F));
+    Classifier classifier = room.classifier(0.003F);
+    Shader shader = room.shader();
+    for (std::uint32_t wall = 0; wall < 5; ++wall) {  // all but the ceiling, in which the lamp is
+        const Fragment at = fragment_at(room.prepared.scene, wall, 0, {0.3F, 0.4F});
+        const Receiver receiver = receiver_at(*room.solution, at);
+        const Site site = classifier.classify(std::span(&receiver, 1));
+        PlacedFragment placed{at, {WeightedSite{&site, 1}}, 1};
+        std::array<PointCounts, 2> taken;
+        std::array<PointLight, 2> light;
+        shader.shade(std::span(&placed, 1), std::span(&light[0], 1), std::span(&taken[0], 1));
+        ASSERT_FALSE(light[0].glowing.empty()) << wall;
+        placed.known.soft = light[0].soft;
+        placed.known.glowing = light[0].glowing;
+        shader.shade(std::span(&placed, 1), std::span(&light[1], 1), std::span(&taken[1], 1));
+        EXPECT_NEAR(luminance(light[1].all / light[0].all), 1, 1e-5F) << wall;
+        EXPECT_EQ(taken[1].visibility_rays, 0U) << wall;
+        placed.known.glowing.clear();
+        shader.shade(std::span(&placed, 1), std::span(&light[1], 1), std::span(&taken[1], 1));
+        EXPECT_GT(taken[1].visibility_rays, 0U) << wall;
+    }
+}
+
+// The same of the sky.
+TEST(GridGatherTest, sky_that_is_known_is_not_looked_at_again) {
+    const ViewedScene scene = viewed_window_room();
+    const GridPicture picture(scene.description, scene.camera, {});
+    Shader shader = picture.shader();
+    std::size_t lit = 0;
+    for (const Fragment& at : picture.some_fragments(40)) {
+        PlacedFragment placed = picture.place(at);
+        std::array<PointCounts, 2> taken;
+        std::array<PointLight, 2> light;
+        shader.shade(std::span(&placed, 1), std::span(&light[0], 1), std::span(&taken[0], 1));
+        if (light[0].sky == Rgb(0.0F)) {
+            continue;
+        }
+        ++lit;
+        placed.known.sky = 3.0F * light[0].sky;
+        shader.shade(std::span(&placed, 1), std::span(&light[1], 1), std::span(&taken[1], 1));
+        EXPECT_NEAR(luminance(light[1].all / (light[0].all + 2.0F * light[0].sky)), 1, 1e-5F);
+        EXPECT_LT(taken[1].visibility_rays, taken[0].visibility_rays);
+    }
+    EXPECT_GT(lit, 10U);
 }
 
 // From one site to another: both ends are the sites' own models, and no step is a jump.
