@@ -131,10 +131,10 @@ std::uint32_t place_in_squares(std::uint32_t x, std::uint32_t y) {
 }  // namespace
 
 Sharing sharing_in(float cell, float threshold) {
-    constexpr float kPixels = 10;  // of a cell's side for one step between pixels that share nothing
-    constexpr int kWidest = 8;
+    // Wider only by the root of what pictures grow by: what is shared once more adds its errors.
+    constexpr float kPixels = 20;
     Sharing sharing{1, threshold};
-    while (2 * sharing.spacing <= kWidest && static_cast<float>(2 * sharing.spacing) * kPixels <= cell) {
+    while (static_cast<float>(sharing.spacing * sharing.spacing) * kPixels <= cell) {
         sharing.spacing *= 2;
     }
     return sharing;

@@ -52,13 +52,13 @@ TEST(SharingStages, pixels_of_a_square_follow_one_another) {
     EXPECT_EQ(all[0].pixels, (std::vector<std::uint32_t>{0, 1, 4, 5, 2, 3, 6, 7, 8, 9, 12, 13, 10, 11, 14, 15}));
 }
 
-// As finely for the scene in pictures of any size.
 TEST(SharingStages, spacing_follows_the_cells) {
     EXPECT_EQ(sharing_in(10, 0.03F).spacing, 1);
     EXPECT_EQ(sharing_in(19.9F, 0.03F).spacing, 1);
     EXPECT_EQ(sharing_in(20, 0.03F).spacing, 2);
-    EXPECT_EQ(sharing_in(62, 0.03F).spacing, 4);
-    EXPECT_EQ(sharing_in(1000, 0.03F).spacing, 8);
+    EXPECT_EQ(sharing_in(79, 0.03F).spacing, 2);
+    EXPECT_EQ(sharing_in(80, 0.03F).spacing, 4);
+    EXPECT_EQ(sharing_in(320, 0.03F).spacing, 8);
     EXPECT_EQ(sharing_in(20, 0.01F).tolerance, 0.01F);
 }
 
