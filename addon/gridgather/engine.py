@@ -88,6 +88,9 @@ class GridgatherEngine(bpy.types.RenderEngine):
             with Scene() as scene:
                 upload(frame.scene, scene)
                 uploaded = time.perf_counter() - start
+                capture_path = depsgraph.scene.gridgather.capture_path
+                if capture_path:
+                    scene.capture(frame.camera, frame.settings, bpy.path.abspath(capture_path))
                 with scene.start(frame.camera, frame.settings) as render:
                     status = self._wait(render, result, pixels)
                     found = render.messages()

@@ -4,7 +4,7 @@ import ctypes
 import os
 from ctypes import POINTER, c_char, c_char_p, c_float, c_int, c_int32, c_uint32, c_uint64, c_void_p
 
-INTERFACE_VERSION = 5
+INTERFACE_VERSION = 6
 LIBRARY_PATH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "libgridgather.so")
 
 OK, CANCELLED = 0, 1
@@ -182,6 +182,7 @@ _SIGNATURES = {
     "gg_scene_set_world": (c_int, [c_void_p, _floats]),
     "gg_scene_add_message": (c_int, [c_void_p, c_char_p, c_char_p]),
     "gg_display_encode": (c_int, [POINTER(Display), _floats, c_uint64]),
+    "gg_scene_capture": (c_int, [c_void_p, POINTER(Camera), POINTER(Settings), c_char_p]),
     "gg_render_start": (c_int, [c_void_p, POINTER(Camera), POINTER(Settings), POINTER(c_void_p)]),
     "gg_render_poll": (c_int, [c_void_p, POINTER(Progress)]),
     "gg_render_wait": (c_int, [c_void_p, c_float]),

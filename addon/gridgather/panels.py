@@ -107,6 +107,15 @@ class GRIDGATHER_PT_gather(_RenderPanel, Panel):
             column.prop(settings, name)
 
 
+class GRIDGATHER_PT_diagnostics(_RenderPanel, Panel):
+    bl_label = "Diagnostics"
+    bl_parent_id = "GRIDGATHER_PT_settings"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        _split_layout(self).prop(context.scene.gridgather, "capture_path")
+
+
 class GRIDGATHER_PT_diagnostic_passes(_RenderPanel, Panel):
     bl_label = "Diagnostic Passes"
     bl_context = "view_layer"
@@ -145,6 +154,7 @@ _classes = [
     GRIDGATHER_PT_settings,
     GRIDGATHER_PT_perception,
     GRIDGATHER_PT_gather,
+    GRIDGATHER_PT_diagnostics,
     GRIDGATHER_PT_diagnostic_passes,
     GRIDGATHER_PT_messages,
     GridgatherPreferences,

@@ -194,6 +194,12 @@ class GridgatherSettings(bpy.types.PropertyGroup):
         default=_STANDARD["depth_law"],
         description="How the grid is divided along the depth. Orthographic cameras have even steps",
     )
+    capture_path: StringProperty(
+        name="Capture",
+        subtype="FILE_PATH",
+        description="If set, renders also write all that they are made from to this file, the last view layer at the "
+        "end, so that problems can be looked into without Blender. Image files are not copied into it",
+    )
 
 
 def register() -> None:

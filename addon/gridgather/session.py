@@ -2,6 +2,7 @@
 
 import ctypes
 import json
+import os
 
 import numpy as np
 
@@ -61,6 +62,43 @@ def _native_curves(curves: Curves) -> interface.Curves:
     )
 
 
+def _native_camera(camera: Camera) -> interface.Camera:
+    return interface.Camera(
+        type=camera.type,
+        matrix=(ctypes.c_float * 12)(*camera.matrix),
+        window=(ctypes.c_float * 4)(*camera.window),
+        clip_start=camera.clip_start,
+        clip_end=camera.clip_end,
+    )
+
+
+def _native_settings(settings: Settings) -> interface.Settings:
+    display = _native_display(settings.display) if settings.display else None
+    return interface.Settings(
+        method=settings.method,
+        width=settings.width,
+        height=settings.height,
+        crop=(ctypes.c_uint32 * 4)(*settings.crop),
+        quality=settings.quality,
+        samples=settings.samples,
+        filter_width=settings.filter_width,
+        filter_type=settings.filter_type,
+        exposure=settings.exposure,
+        film_transparent=int(settings.film_transparent),
+        threads=settings.threads,
+        passes=settings.passes,
+        sites=settings.sites,
+        receivers=settings.receivers,
+        depth_law=settings.depth_law,
+        cell_size=settings.cell_size,
+        threshold=settings.threshold,
+        gather_samples=settings.gather_samples,
+        display=ctypes.pointer(display) if display else None,
+        noticeable=settings.noticeable,
+        use_masking=int(settings.use_masking),
+    )
+
+
 def encode_for_display(display: Display, pixels: np.ndarray) -> np.ndarray:
     """What the display gets, 0..1, for scene-linear pixels, float32 (..., 3). Raises SessionError if the configuration
     cannot be used."""
@@ -91,6 +129,17 @@ class Scene(_Handle):
         self.check(call(self.pointer, ctypes.byref(struct), ctypes.byref(number)))
         return number.value
 
+    def capture(self, camera: Camera, settings: Settings, path: str) -> None:
+        """Writes all that start() would take into a file."""
+        self.check(
+            self.library.gg_scene_capture(
+                self.pointer,
+                ctypes.byref(_native_camera(camera)),
+                ctypes.byref(_native_settings(settings)),
+                os.fsencode(path),
+            )
+        )
+
     def start(self, camera: Camera, settings: Settings) -> "Render":
         """Starts a render, which must be closed before the scene."""
         return Render(self, camera, settings)
@@ -102,40 +151,12 @@ class Render(_Handle):
     def __init__(self, scene: Scene, camera: Camera, settings: Settings):
         super().__init__(scene.library, scene.library.gg_render_destroy)
         self.width, self.height = settings.crop[2:]
-        native_camera = interface.Camera(
-            type=camera.type,
-            matrix=(ctypes.c_float * 12)(*camera.matrix),
-            window=(ctypes.c_float * 4)(*camera.window),
-            clip_start=camera.clip_start,
-            clip_end=camera.clip_end,
-        )
-        display = _native_display(settings.display) if settings.display else None
-        native_settings = interface.Settings(
-            method=settings.method,
-            width=settings.width,
-            height=settings.height,
-            crop=(ctypes.c_uint32 * 4)(*settings.crop),
-            quality=settings.quality,
-            samples=settings.samples,
-            filter_width=settings.filter_width,
-            filter_type=settings.filter_type,
-            exposure=settings.exposure,
-            film_transparent=int(settings.film_transparent),
-            threads=settings.threads,
-            passes=settings.passes,
-            sites=settings.sites,
-            receivers=settings.receivers,
-            depth_law=settings.depth_law,
-            cell_size=settings.cell_size,
-            threshold=settings.threshold,
-            gather_samples=settings.gather_samples,
-            display=ctypes.pointer(display) if display else None,
-            noticeable=settings.noticeable,
-            use_masking=int(settings.use_masking),
-        )
         self.check(
             self.library.gg_render_start(
-                scene.pointer, ctypes.byref(native_camera), ctypes.byref(native_settings), ctypes.byref(self.pointer)
+                scene.pointer,
+                ctypes.byref(_native_camera(camera)),
+                ctypes.byref(_native_settings(settings)),
+                ctypes.byref(self.pointer),
             )
         )
 

@@ -1,7 +1,9 @@
 // gg_scene_...: collects the description.
 #include "api/convert_scene.h"
+#include "api/convert_settings.h"
 #include "api/guard.h"
 #include "api/handles.h"
+#include "render/capture.h"
 
 namespace {
 
@@ -98,4 +100,12 @@ gg_status gg_scene_set_world(gg_scene* scene, const float radiance[3]) {
 gg_status gg_scene_add_message(gg_scene* scene, const char* object, const char* text) {
     return gg::guarded(
         [&] { open_scene(scene).messages.add(object != nullptr ? object : "", text != nullptr ? text : ""); });
+}
+
+gg_status gg_scene_capture(gg_scene* scene, const gg_camera* camera, const gg_settings* settings, const char* path) {
+    return gg::guarded([&] {
+        gg_scene& source = open_scene(scene);
+        gg::require(settings != nullptr && path != nullptr, "no settings, or no path");
+        gg::write_capture(source.cache.description, gg::convert_settings(camera, *settings), path);
+    });
 }

@@ -27,7 +27,7 @@
 extern "C" {
 #endif
 
-#define GG_INTERFACE_VERSION 5
+#define GG_INTERFACE_VERSION 6
 #define GG_NONE 0xFFFFFFFFu /* no image, no material */
 
 typedef enum gg_status {
@@ -37,7 +37,8 @@ typedef enum gg_status {
     GG_WRONG_STATE = 3,      /* call out of order: adding to a frozen scene, reading an unfinished render */
     GG_INVALID_SCENE = 4,    /* nothing can be rendered: no camera, ... */
     GG_OUT_OF_MEMORY = 5,
-    GG_INTERNAL_ERROR = 6 /* a bug of the library */
+    GG_INTERNAL_ERROR = 6, /* a bug of the library */
+    GG_IO_ERROR = 7        /* a file cannot be written */
 } gg_status;
 
 typedef struct gg_scene gg_scene;
@@ -261,6 +262,11 @@ typedef struct gg_settings {
  * earlier render of this scene solved for the same quality is reused. */
 GG_API gg_status gg_render_start(gg_scene* scene, const gg_camera* camera, const gg_settings* settings,
                                  gg_render** render);
+
+/* Writes all that gg_render_start would take into a file, as long as the scene is not frozen: what a render does can
+ * then be looked at without the caller. Images with a path stay where they are. */
+GG_API gg_status gg_scene_capture(gg_scene* scene, const gg_camera* camera, const gg_settings* settings,
+                                  const char* path);
 
 typedef struct gg_progress {
     int32_t finished; /* 1: the result, a failure or a cancel is final */

@@ -1,6 +1,9 @@
 // Every function about renders, misused.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <fstream>
 #include <functional>
 #include <limits>
 
@@ -135,6 +138,24 @@ TEST_F(RenderMisuse, encoding_needs_a_display_and_pixels) {
     display.config = nullptr;
     EXPECT_EQ(gg_display_encode(&display, pixels, 1), GG_OK);
     EXPECT_NEAR(pixels[0], 0.73536F, 1e-4F);
+}
+
+TEST_F(RenderMisuse, captures_need_all_arguments_and_an_open_scene) {
+    const std::string path = testing::TempDir() + "gg_capture_misuse";
+    EXPECT_EQ(gg_scene_capture(nullptr, &camera_, &settings_, path.c_str()), GG_INVALID_ARGUMENT);
+    EXPECT_EQ(gg_scene_capture(scene_.handle, &camera_, nullptr, path.c_str()), GG_INVALID_ARGUMENT);
+    EXPECT_EQ(gg_scene_capture(scene_.handle, &camera_, &settings_, nullptr), GG_INVALID_ARGUMENT);
+    EXPECT_EQ(gg_scene_capture(scene_.handle, nullptr, &settings_, path.c_str()), GG_INVALID_SCENE);
+    EXPECT_FALSE(std::ifstream(path).good());
+    EXPECT_EQ(gg_scene_capture(scene_.handle, &camera_, &settings_, "/nowhere/capture"), GG_IO_ERROR);
+    EXPECT_THAT(gg_last_error(), testing::HasSubstr("/nowhere/capture"));
+    EXPECT_EQ(gg_scene_capture(scene_.handle, &camera_, &settings_, path.c_str()), GG_OK);
+    EXPECT_TRUE(std::ifstream(path).good());
+    std::remove(path.c_str());
+    Render render;
+    ASSERT_EQ(gg_render_start(scene_.handle, &camera_, &settings_, &render.handle), GG_OK);
+    EXPECT_EQ(gg_scene_capture(scene_.handle, &camera_, &settings_, path.c_str()), GG_WRONG_STATE);
+    EXPECT_FALSE(std::ifstream(path).good());
 }
 
 TEST_F(RenderMisuse, cameras_out_of_range_are_refused) {
