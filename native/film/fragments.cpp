@@ -70,6 +70,8 @@ class TileTracer {
                 }
             }
         }
+        result.pixels.shrink_to_fit();
+        result.fragments.shrink_to_fit();
         return result;
     }
 

@@ -38,6 +38,9 @@ struct TileFragments {
 
     // pixel: index into pixels.
     [[nodiscard]] std::uint32_t begin_of(std::size_t pixel) const { return pixel > 0 ? pixels[pixel - 1].end : 0; }
+    [[nodiscard]] std::size_t bytes() const {
+        return pixels.capacity() * sizeof(PixelFragments) + fragments.capacity() * sizeof(Fragment);
+    }
 };
 
 // Irradiance [W/m2] where a ray met a surface, at its front or back.

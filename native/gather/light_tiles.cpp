@@ -62,6 +62,8 @@ class TileLighter {
         for (const SharingStage& stage : sharing_stages(tile_.tile.width, tile_.tile.height, sharing.spacing)) {
             light_stage(stage, sharing.tolerance, light);
         }
+        lit_.light.reserve(light.size());
+        lit_.soft.reserve(light.size());
         for (const PointLight& of_fragment : light) {
             lit_.light.push_back(of_fragment.all);
             lit_.soft.push_back(of_fragment.soft);

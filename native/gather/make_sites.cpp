@@ -69,7 +69,7 @@ std::vector<Site> make_sites(const Solution& solution, const NodeOrder& order, c
                 control.check_cancel();
                 const std::uint32_t vertex = receivers.vertex_of(i);
                 const bool grid = places.is_of_grid(vertex);
-                const auto seen = receivers.of(i);
+                const std::vector<Receiver> seen = receivers.of(i);
                 const float threshold = thresholds.empty() ? 0 : thresholds[i];
                 sites[i] = grid && worker.from_space
                                ? worker.from_space->classify(free_space_around(places.grid(), vertex, seen), threshold)

@@ -22,6 +22,16 @@ namespace {
 constexpr float kStandardHeight = 350;  // pixels, of pictures that settings are meant for
 constexpr float kLeastCell = 4;         // pixels; in smaller ones little else is seen than what is looked at
 
+// Of many things, each of which knows its own.
+template <typename Things>
+double bytes_of(const Things& things) {
+    double sum = 0;
+    for (const auto& thing : things) {
+        sum += static_cast<double>(thing.bytes());
+    }
+    return sum;
+}
+
 std::vector<TileFragments> trace_tiles(const Solution& solution, const View& view, const Film& film, Control& control,
                                        Statistics& statistics) {
     const StageTimer timer(statistics, "visible points");
@@ -30,6 +40,7 @@ std::vector<TileFragments> trace_tiles(const Solution& solution, const View& vie
     parallel_for(tiles.size(), 1, control, [&](std::size_t i) {
         tiles[i] = trace_tile(view, film.tile(static_cast<std::uint32_t>(i)), &expected);
     });
+    statistics.set_bytes("fragments", bytes_of(tiles));
     return tiles;
 }
 
@@ -185,6 +196,8 @@ ViewCounts grid_gather(const Solution& solution, const View& view, const GatherS
     const std::vector<Site> sites = make_sites(solution, order, points, view.tracer, places, receivers, classify,
                                                thresholds, settings.free_space, control, statistics);
     timer.reset();
+    statistics.set_bytes("sites",
+                         bytes_of(sites) + static_cast<double>(receivers.bytes() + order.bytes() + points.bytes()));
     const Shader shader(solution, order, points, view.tracer);
     const auto make = [&] { return std::make_unique<SiteGatherer>(places, receivers, sites, thresholds, shader); };
     const Sharing sharing = settings.shared ? sharing_in(cells.cell, settings.threshold) : Sharing{};

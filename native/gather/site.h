@@ -40,6 +40,11 @@ struct Site {
     DirectionTable table;             // what all other surfaces and the rest of the sky bring
     Reach reach;                      // surfaces closer than that are looked for anew
     TableCellSet near_cells;          // in the directions in which there are any
+
+    [[nodiscard]] std::size_t bytes() const {
+        return sizeof(Site) + senders.capacity() * sizeof(SiteSender) + apart.capacity() * sizeof(RankRange) +
+               leaves.capacity() * sizeof(SkyLeaf) + beams.capacity() * sizeof(Beam);
+    }
 };
 
 [[nodiscard]] inline Rgb light_of(std::span<const Beam> beams, Vec3 normal) {

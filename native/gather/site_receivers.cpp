@@ -115,22 +115,32 @@ std::vector<Candidate> candidates_of(const Solution& solution, const SitePlaces&
     return found;
 }
 
-Receiver make_receiver(const Solution& solution, const PixelCamera& camera, const Fragment& at, NodeId place) {
+}  // namespace
+
+Receiver SiteReceivers::receiver(const SeenPlace& seen) const {
+    const Fragment& at = tiles_[seen.tile].fragments[seen.fragment];
     Receiver receiver;
     receiver.position = offset_origin(at.position, at.normal, 1);
     receiver.normal = at.normal;
     receiver.shading_normal = at.shading_normal;
-    receiver.place = place;
+    receiver.place = seen.place;
     receiver.reflectance = luminance(at.albedo) / std::max(at.share, 1e-6F);
-    receiver.irradiance = luminance(irradiance_at(solution, at));
-    receiver.pixel = camera.pixel_size(at.hit.distance);
+    receiver.irradiance = luminance(irradiance_at(solution_, at));
+    receiver.pixel = camera_.pixel_size(at.hit.distance);
     return receiver;
 }
 
-}  // namespace
+std::vector<Receiver> SiteReceivers::of(std::size_t site) const {
+    std::vector<Receiver> found;
+    for (std::uint32_t i = begin_[site]; i < begin_[site + 1]; ++i) {
+        found.push_back(receiver(seen_[i]));
+    }
+    return found;
+}
 
 SiteReceivers::SiteReceivers(const Solution& solution, const View& view, const SitePlaces& places,
-                             std::span<const TileFragments> tiles, const MaskingMap* seen, const Control& control) {
+                             std::span<const TileFragments> tiles, const MaskingMap* seen, const Control& control)
+    : solution_(solution), camera_(view.camera), tiles_(tiles) {
     std::vector<std::vector<ViewSum>> sums(tiles.size());
     std::vector<Candidate> all = parallel_collect<Candidate>(
         tiles.size(), 1, control, [&](std::size_t begin, std::size_t end, std::vector<Candidate>& out) {
@@ -141,15 +151,17 @@ SiteReceivers::SiteReceivers(const Solution& solution, const View& view, const S
             }
         });
     thin_out(all);
-    receivers_.resize(all.size());
+    seen_.resize(all.size());
+    std::vector<float> reflected(all.size());  // W/m2
     parallel_for(all.size(), 256, control, [&](std::size_t i) {
-        receivers_[i] =
-            make_receiver(solution, view.camera, tiles[all[i].tile].fragments[all[i].fragment], all[i].place);
+        seen_[i] = {all[i].tile, all[i].fragment, all[i].place};
+        const Receiver at = receiver(seen_[i]);
+        reflected[i] = at.reflectance * at.irradiance;
     });
     site_of_.assign(places.vertex_count(), kNone);
     double radiosity = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        radiosity += static_cast<double>(receivers_[i].reflectance) * receivers_[i].irradiance;
+        radiosity += static_cast<double>(reflected[i]);
         if (i == 0 || all[i].vertex != all[i - 1].vertex) {
             site_of_[all[i].vertex] = static_cast<std::uint32_t>(begin_.size() - 1);
             begin_.push_back(0);

@@ -110,7 +110,7 @@ class SitesLookedAt : public testing::Test {
         Classifier classifier(*picture_.solution, picture_.order, picture_.points, *picture_.prepared.tracer, settings);
         float sum = 0;
         for (std::size_t site = 0; site < picture_.receivers.site_count(); site += 5) {
-            const auto seen = picture_.receivers.of(site);
+            const std::vector<Receiver> seen = picture_.receivers.of(site);
             std::vector<Receiver> receivers(seen.begin(), seen.end());
             for (Receiver& receiver : receivers) {
                 EXPECT_GT(receiver.pixel, 0);
