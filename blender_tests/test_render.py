@@ -45,6 +45,17 @@ def test_statistics_by_view_layer(lit):
         lit.gridgather_statistics = "{}"
 
 
+@pytest.mark.parametrize(
+    ("preset", "height", "shares"), [("FINAL", 350, True), ("FINAL", 100, False), ("PAPER", 350, False)]
+)
+def test_neighbours_share_light_in_large_pictures_but_not_as_published(lit, preset, height, shares):
+    lit.render.resolution_x = lit.render.resolution_y = height
+    lit.gridgather.preset = preset
+    bpy.ops.render.render()
+    (statistics,) = json.loads(lit.gridgather_statistics).values()
+    assert (statistics["counts"]["fragments that share soft light"] > 0.5 * height**2) == shares
+
+
 def test_statistics_are_of_the_last_frame_alone(lit, tmp_path):
     """With persistent data one engine renders all frames of an animation."""
     second = lit.view_layers.new("Second")

@@ -37,8 +37,7 @@ class SenderGroup {
     [[nodiscard]] float facing_weight(Vec3 x) const;
     // Of each receiver: unoccluded_irradiance().
     void light(std::vector<Rgb>& out) const;
-    // What each receiver that looks sees of a point.
-    // The same of the first `receivers` alone.
+    // What the first `receivers` of those that look see of a point; without a number, all of these.
     void see(std::uint32_t index, std::size_t receivers, GroupPoint& out) const;
     void see(std::uint32_t index, GroupPoint& out) const { see(index, looking_, out); }
     // The first `count` indices, those of neighbouring points next to one another.
