@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "gather/closer_look.h"
 #include "gather/gather_counts.h"
 #include "gather/node_order.h"
 #include "gather/receiver.h"
@@ -54,7 +55,24 @@ class Classifier {
         bool mixed = false;  // some of its rays arrive
     };
 
-    [[nodiscard]] float bound(NodeId sender, const Box& box) const;
+    // Where a site is, and what it asks for.
+    struct Place {
+        Box bounds;
+        ReceiverMeans means;
+        bool looked_at = false;
+        float threshold = 0, tolerance = 0;  // of radiosity and of irradiance, W/m2
+        float samples = 0;                   // N of eq. 1
+        float all = 0;                       // irradiance of all candidates, at least that of the place, W/m2
+
+        [[nodiscard]] float samples_of(const SenderMeasure& brings) const {  // eq. 1
+            return samples * luminance(brings.irradiance) / all;
+        }
+    };
+
+    [[nodiscard]] Place place_of(std::span<const Receiver> receivers, float threshold) const;
+    void find_candidates(Place& place);
+    void look_at_candidates(std::span<const Receiver> receivers, const Place& place);
+    void settle_candidates(const Place& place, Site& site);
     void add_rays(Candidate& candidate, std::span<const Receiver> receivers, std::uint32_t count);
     void judge(Candidate& candidate, float irradiance, float tolerance);
     [[nodiscard]] float occluder_of(const Candidate& candidate) const;
@@ -72,6 +90,7 @@ class Classifier {
     SenderCut cut_;
     std::vector<NodeId> places_;
     std::vector<Candidate> candidates_;
+    std::vector<LeftSender> left_;
     std::vector<float> errors_;     // that are left to interpolation
     std::vector<bool*> resampled_;  // whether each shall not be
     std::vector<Ray> rays_;

@@ -8,6 +8,15 @@
 
 namespace gg {
 
+namespace {
+
+// Whether all of a box lies on the back of a plane.
+bool is_behind(const Box& box, Vec3 on_plane, Vec3 normal) {
+    return dot(box.center() - on_plane, normal) + 0.5F * dot(box.extent(), glm::abs(normal)) <= 0;
+}
+
+}  // namespace
+
 void SenderMeter::look_from(std::span<const Receiver> receivers) {
     receivers_ = receivers;
     blocks_.assign((receivers.size() + kLanes - 1) / kLanes, {});
@@ -117,6 +126,19 @@ void SenderMeter::add_one_by_one(std::size_t count) {
             sum_.irradiance += v.irradiance;
         }
     }
+}
+
+float SenderMeter::bound(NodeId sender, const Box& box) const {
+    const Node& node = hierarchy_of(solution_)[sender];
+    if (node.kind == NodeKind::kLamp) {
+        return kInfinity;
+    }
+    if (node.kind == NodeKind::kElement && is_behind(box, node.corner[0], node.normal)) {
+        return 0;
+    }
+    const float distance = std::max(0.0F, length(node.center - box.center()) - node.radius - 0.5F * box.diameter());
+    const float factor = node.area / std::max(kPi * distance * distance, 1e-20F);
+    return std::min(factor, 1.0F) * luminance(radiosity_of(solution_, sender));
 }
 
 }  // namespace gg

@@ -29,6 +29,8 @@ class SenderMeter {
     void look_from(std::span<const Receiver> receivers);
     // Over `count` receivers if so many see the sender, and a few more where that costs nothing. Not for the sky.
     [[nodiscard]] SenderMeasure measure(NodeId sender, std::size_t count);
+    // Luminance of the irradiance that a sender may bring to any point of a box, W/m2; of lamps infinity.
+    [[nodiscard]] float bound(NodeId sender, const Box& box) const;
 
   private:
     // Receivers, a lane each; those beyond the last one face nothing.

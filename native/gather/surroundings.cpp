@@ -42,6 +42,10 @@ Surroundings::Surroundings(const Solution& solution, const NodeOrder& order, con
     for (const SkyCell cell : in_squares(kSiteLevel)) {
         const std::uint32_t c = site_index(cell);
         site_directions_.push_back({c, cell_direction(cell, sites(c, 0), sites(c, 1))});
+        for (const SkyCell child : children(cell)) {
+            const auto place = static_cast<std::uint32_t>(kSiteCells + close_directions_.size());
+            close_directions_.push_back({c, cell_direction(child, sites(place, 0), sites(place, 1))});
+        }
     }
     for (const SkyCell cell : in_squares(kTableLevel)) {
         const std::uint32_t c = table_index(cell);
@@ -49,12 +53,12 @@ Surroundings::Surroundings(const Solution& solution, const NodeOrder& order, con
     }
 }
 
-void Surroundings::trace() {
+void Surroundings::trace(std::size_t first) {
     hits_.resize(rays_.size());
-    tracer_.closest_hits(rays_, hits_, RayMask::kLight, Coherence::kIncoherent);
+    tracer_.closest_hits(std::span(rays_).subspan(first), std::span(hits_).subspan(first), RayMask::kLight,
+                         Coherence::kIncoherent);
     const Hierarchy& hierarchy = hierarchy_of(solution_);
-    met_.clear();
-    for (std::size_t i = 0; i < rays_.size(); ++i) {
+    for (std::size_t i = first; i < rays_.size(); ++i) {
         const Hit& hit = hits_[i];
         if (hit.missed()) {
             continue;
@@ -69,6 +73,7 @@ void Surroundings::trace() {
 void Surroundings::look_from(std::span<const Receiver> receivers) {
     rays_.clear();
     origins_.clear();
+    met_.clear();
     seen_.assign(kSiteCells, Seen::kNothing);
     ReceiverTurns turns(receivers);
     for (const auto& [cell, direction] : site_directions_) {
@@ -78,10 +83,24 @@ void Surroundings::look_from(std::span<const Receiver> receivers) {
             seen_[cell] = Seen::kSky;
         }
     }
-    trace();
+    trace(0);
     for (const Met& met : met_) {
         seen_[met.cell] = Seen::kSurface;
     }
+}
+
+void Surroundings::look_closer(std::span<const Receiver> receivers, const TableCellSet& cells) {
+    const std::size_t first = rays_.size();
+    ReceiverTurns turns(receivers);
+    for (const auto& [cell, direction] : close_directions_) {
+        if (cells[table_index(site_cell(cell))]) {
+            if (const Receiver* receiver = turns.next(direction)) {
+                rays_.push_back({receiver->position, direction, 0, kInfinity});
+                origins_.push_back({0, cell});
+            }
+        }
+    }
+    trace(first);
 }
 
 void Surroundings::add_to(DirectionTable& table, std::span<const RankRange> apart, const Reach& reach) const {
@@ -90,12 +109,10 @@ void Surroundings::add_to(DirectionTable& table, std::span<const RankRange> apar
         float far_count = 0, count = 0;
     };
     std::array<Sum, kTableCells> sums;
-    for (std::uint32_t c = 0; c < kSiteCells; ++c) {
-        if (seen_[c] != Seen::kNothing) {
-            Sum& sum = sums[table_index(site_cell(c))];
-            sum.count += 1;
-            sum.far_count += 1;
-        }
+    for (const RayOrigin& origin : origins_) {
+        Sum& sum = sums[table_index(site_cell(origin.cell))];
+        sum.count += 1;
+        sum.far_count += 1;
     }
     for (const Met& met : met_) {
         Sum& sum = sums[table_index(site_cell(met.cell))];
@@ -127,6 +144,7 @@ TableCellSet Surroundings::near_cells(float distance) const {
 void Surroundings::look_near(std::span<const NearPoint> points) {
     rays_.clear();
     origins_.clear();
+    met_.clear();
     for (const auto& [cell, direction] : near_directions_) {
         for (std::uint32_t p = 0; p < points.size(); ++p) {
             if (points[p].cells[cell] && dot(direction, points[p].normal) > 0) {
@@ -135,7 +153,7 @@ void Surroundings::look_near(std::span<const NearPoint> points) {
             }
         }
     }
-    trace();
+    trace(0);
 }
 
 }  // namespace gg

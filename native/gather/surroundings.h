@@ -73,6 +73,9 @@ class Surroundings {
     [[nodiscard]] std::span<const Ray> rays() const { return rays_; }
     [[nodiscard]] std::span<const RayOrigin> origins() const { return origins_; }  // of the rays
 
+    // After look_from(): four more rays into each of kSiteCells within those table cells.
+    void look_closer(std::span<const Receiver> receivers, const TableCellSet& cells);
+
     // Adds what was met to the table: but for what lies in `apart` and, if reach is not 0, for what is near, unless
     // nothing else was met in a cell.
     void add_to(DirectionTable& table, std::span<const RankRange> apart, const Reach& reach) const;
@@ -85,7 +88,8 @@ class Surroundings {
     void look_near(std::span<const NearPoint> points);
 
   private:
-    void trace();
+    // Rays from that one on; adds to what was met.
+    void trace(std::size_t first);
 
     const Solution& solution_;
     const NodeOrder& order_;
@@ -94,8 +98,9 @@ class Surroundings {
         std::uint32_t cell = 0;
         Vec3 direction{0.0F};
     };
-    // Of the site's and the table's cells, neighbours next to one another: their rays take similar ways.
-    std::vector<Direction> site_directions_, near_directions_;
+    // Of the site's cells, of their children, and of the table's cells, neighbours next to one another: their rays take
+    // similar ways.
+    std::vector<Direction> site_directions_, close_directions_, near_directions_;
     std::vector<Ray> rays_;
     std::vector<RayOrigin> origins_;  // per ray
     std::vector<Hit> hits_;
