@@ -1,5 +1,5 @@
 gg_test(gather_tests
-        SOURCES gather/classify_test.cpp gather/continuity_test.cpp gather/direction_table_test.cpp
+        SOURCES gather/classify_test.cpp gather/closer_look_test.cpp gather/continuity_test.cpp gather/direction_table_test.cpp
                 gather/error_budget_test.cpp gather/free_space_test.cpp gather/gather_oracle_test.cpp gather/gather_test.cpp
                 gather/light_jumps_test.cpp gather/perspective_grid_test.cpp gather/sender_cut_test.cpp
                 gather/sender_group_test.cpp gather/sender_place_test.cpp gather/sender_points_test.cpp gather/shadow_samples_test.cpp
