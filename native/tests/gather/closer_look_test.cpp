@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/random.h"
+#include "gather/classify.h"
 #include "gather/surroundings.h"
 #include "support/test_scenes.h"
 #include "transport/sky_cell.h"
@@ -92,6 +93,7 @@ TEST(CloserLook, cells_are_those_that_hold_most_and_no_more) {
             least = cells[c] ? std::min(least, variances[c]) : least;
         }
         EXPECT_LE(rest, (share + 1e-7) * all) << share;
+        EXPECT_TRUE(cells.none() || rest + least > share * all) << share;
         for (std::uint32_t c = 0; c < kTableCells; ++c) {
             EXPECT_TRUE(cells[c] || variances[c] <= (1 + 1e-5) * least) << c;
             EXPECT_FALSE(cells[c] && variances[c] <= 0) << c;
@@ -142,6 +144,22 @@ TEST(CloserLook, finds_what_few_rays_miss) {
     }
     EXPECT_GT(std::sqrt(before), 0.2);
     EXPECT_LT(std::sqrt(after), 0.5 * std::sqrt(before));
+}
+
+// Panels that are each less than the tolerance, but all together more than rays should be off.
+TEST(CloserLook, sites_look_closer) {
+    Panels scene;
+    const ClusterPoints points(*scene.solution, scene.prepared.control);
+    const Vec3 at(-2.999F, 0.1F, 0.2F);  // on a wall
+    const Receiver receiver{at, {1, 0, 0}, {1, 0, 0}, place_at(*scene.solution, 0, 0, false, at), 0.5F, 1};
+    scene.surroundings.look_from(std::span(&receiver, 1));
+    const auto closer = [&](float threshold) {
+        Classifier classifier(*scene.solution, scene.order, points, *scene.prepared.tracer, {256, threshold, 0});
+        static_cast<void>(classifier.classify(std::span(&receiver, 1)));
+        return classifier.counts().near_rays - scene.surroundings.ray_count();
+    };
+    EXPECT_GT(closer(0.2F), 8 * 4 * kSiteCells / kTableCells);
+    EXPECT_EQ(closer(100), 0U);
 }
 
 }  // namespace
