@@ -5,6 +5,7 @@
 
 #include "core/vec.h"
 #include "gather/direction_table.h"
+#include "gather/surroundings.h"
 #include "radiosity/solution.h"
 
 namespace gg {
@@ -25,5 +26,10 @@ struct LeftSender {
 // directions whose rays happened to miss something bright would then stay too dark.
 [[nodiscard]] TableCellSet worth_closer_look(const Solution& solution, Vec3 from, std::span<const LeftSender> left,
                                              float error);
+
+// Cells of near ones into which a point has to look more than once for what is near, so that what it finds there has
+// a standard deviation of at most `error` [W/m2]. It goes by what a site's rays met; points have rays of their own.
+[[nodiscard]] TableCellSet worth_close_cells(const Surroundings& around, std::span<const RankRange> apart,
+                                             const DirectionTable& table, const Reach& reach, float error);
 
 }  // namespace gg

@@ -129,11 +129,14 @@ void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
             points_[p].light.soft = *fragments[p].known.soft;
             continue;
         }
+        const bool small = fragments[p].at.share < kSmallShare;
         for (const WeightedSite& weighted : fragments[p].sites()) {
-            near_[p].reach = std::max(near_[p].reach, weighted.site->reach.none);
-            near_[p].cells |= weighted.site->near_cells;
+            const Site& site = *weighted.site;
+            near_[p].reach = std::max(near_[p].reach, site.reach.none);
+            near_[p].cells |= small ? site.near_cells : site.near_cells & ~site.close_cells;
+            near_[p].close_cells |= small ? TableCellSet() : site.close_cells;
         }
-        if (fragments[p].at.share < kSmallShare) {
+        if (small) {
             near_[p].cells = one_of_partners(near_[p].cells);
         }
     }
@@ -150,14 +153,15 @@ void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
                 continue;
             }
             const Rgb light = holds(site.apart, met.rank) ? Rgb(0.0F) : kTableSolidAngle * met.radiance;
+            const bool small = fragments[met.point].at.share < kSmallShare;
             const auto replace = [&](std::uint32_t cell) {
-                if (site.near_cells[cell]) {
+                if (site.near_cells[cell] && met.close == (site.close_cells[cell] && !small)) {
                     points_[met.point].light.soft +=
-                        near * cosines_[met.point].of[cell] * (light - site.table.at(cell));
+                        (met.close ? 0.25F : 1) * near * cosines_[met.point].of[cell] * (light - site.table.at(cell));
                 }
             };
             replace(met.cell);
-            if (fragments[met.point].at.share < kSmallShare) {
+            if (small) {
                 replace(table_partner(met.cell));
             }
         }

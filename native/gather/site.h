@@ -40,6 +40,7 @@ struct Site {
     DirectionTable table;             // what all other surfaces and the rest of the sky bring
     Reach reach;                      // surfaces closer than that are looked for anew
     TableCellSet near_cells;          // in the directions in which there are any
+    TableCellSet close_cells;         // of these, those that take four rays
 
     [[nodiscard]] std::size_t bytes() const {
         return sizeof(Site) + senders.capacity() * sizeof(SiteSender) + apart.capacity() * sizeof(RankRange) +

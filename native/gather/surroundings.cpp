@@ -10,7 +10,7 @@ namespace gg {
 namespace {
 
 constexpr float kDoubt = 2;  // rays: one that passes by what is near says little of a whole cell
-constexpr std::uint64_t kSiteSeed = 0x73697465, kNearSeed = 0x6e656172;
+constexpr std::uint64_t kSiteSeed = 0x73697465, kNearSeed = 0x6e656172, kCloseSeed = 0x636c6f73;
 
 // Cells of a level so that every aligned run of 4^n is a square.
 std::vector<SkyCell> in_squares(std::uint8_t level) {
@@ -36,6 +36,16 @@ Vec3 near_direction(std::uint32_t index) {
     return cell_direction(table_cell(index), places(index, 0), places(index, 1));
 }
 
+std::array<Vec3, 4> close_directions(std::uint32_t index) {
+    const Sequence4 places(kCloseSeed);
+    const auto parts = children(table_cell(index));
+    std::array<Vec3, 4> directions;
+    for (std::uint32_t k = 0; k < parts.size(); ++k) {
+        directions[k] = cell_direction(parts[k], places(4 * index + k, 0), places(4 * index + k, 1));
+    }
+    return directions;
+}
+
 Surroundings::Surroundings(const Solution& solution, const NodeOrder& order, const RayTracer& tracer)
     : solution_(solution), order_(order), tracer_(tracer) {
     const Sequence4 sites(kSiteSeed);
@@ -50,6 +60,9 @@ Surroundings::Surroundings(const Solution& solution, const NodeOrder& order, con
     for (const SkyCell cell : in_squares(kTableLevel)) {
         const std::uint32_t c = table_index(cell);
         near_directions_.push_back({c, near_direction(c)});
+        for (const Vec3 direction : close_directions(c)) {
+            near_directions_.push_back({c, direction, true});
+        }
     }
 }
 
@@ -66,7 +79,7 @@ void Surroundings::trace(std::size_t first) {
         const bool back = dot(world_area_vector(hierarchy.scene(), hit.instance, hit.triangle), rays_[i].direction) > 0;
         const LitPlace lit = lit_place(solution_, hit, back);
         met_.push_back({origins_[i].point, origins_[i].cell, lit.place != kNone ? order_.rank(lit.place) : 0,
-                        hit.distance, lit.radiosity / kPi});
+                        hit.distance, lit.radiosity / kPi, origins_[i].close});
     }
 }
 
@@ -76,7 +89,7 @@ void Surroundings::look_from(std::span<const Receiver> receivers) {
     met_.clear();
     seen_.assign(kSiteCells, Seen::kNothing);
     ReceiverTurns turns(receivers);
-    for (const auto& [cell, direction] : site_directions_) {
+    for (const auto& [cell, direction, is_close] : site_directions_) {
         if (const Receiver* receiver = turns.next(direction)) {
             rays_.push_back({receiver->position, direction, 0, kInfinity});
             origins_.push_back({0, cell});
@@ -92,7 +105,7 @@ void Surroundings::look_from(std::span<const Receiver> receivers) {
 void Surroundings::look_closer(std::span<const Receiver> receivers, const TableCellSet& cells) {
     const std::size_t first = rays_.size();
     ReceiverTurns turns(receivers);
-    for (const auto& [cell, direction] : close_directions_) {
+    for (const auto& [cell, direction, close] : close_directions_) {
         if (cells[table_index(site_cell(cell))]) {
             if (const Receiver* receiver = turns.next(direction)) {
                 rays_.push_back({receiver->position, direction, 0, kInfinity});
@@ -145,11 +158,12 @@ void Surroundings::look_near(std::span<const NearPoint> points) {
     rays_.clear();
     origins_.clear();
     met_.clear();
-    for (const auto& [cell, direction] : near_directions_) {
+    for (const auto& [cell, direction, close] : near_directions_) {
         for (std::uint32_t p = 0; p < points.size(); ++p) {
-            if (points[p].cells[cell] && dot(direction, points[p].normal) > 0) {
+            const TableCellSet& cells = close ? points[p].close_cells : points[p].cells;
+            if (cells[cell] && dot(direction, points[p].normal) > 0) {
                 rays_.push_back({points[p].position, direction, 0, points[p].reach});
-                origins_.push_back({p, cell});
+                origins_.push_back({p, cell, close});
             }
         }
     }

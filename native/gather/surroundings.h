@@ -1,6 +1,7 @@
 // What is all around a point or a site, found by rays in fixed directions: all light that senders apart do not bring.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,8 +27,9 @@ inline constexpr std::uint32_t kSiteSide = 1U << kSiteLevel, kSiteCells = 2 * kS
             static_cast<std::uint16_t>(index % kSiteSide), static_cast<std::uint16_t>(index / kSiteSide % kSiteSide)};
 }
 
-// In which the table's cell of that index is looked into for what is near.
+// In which the table's cell of that index is looked into for what is near, and four where that is looked at closely.
 [[nodiscard]] Vec3 near_direction(std::uint32_t index);
+[[nodiscard]] std::array<Vec3, 4> close_directions(std::uint32_t index);
 
 // Distances [m] up to which surfaces are looked for at every point.
 struct Reach {
@@ -41,12 +43,14 @@ struct Reach {
 // A point that looks at what is near.
 struct NearPoint {
     Vec3 position{0.0F}, normal{0.0F};
-    TableCellSet cells;  // directions
-    float reach = 0;     // m
+    TableCellSet cells;             // that it looks into once
+    float reach = 0;                // m
+    TableCellSet close_cells = {};  // into which it looks four times, besides
 };
 
 struct RayOrigin {
     std::uint32_t point = 0, cell = 0;  // as of Met
+    bool close = false;
 };
 
 struct Met {
@@ -55,6 +59,7 @@ struct Met {
     std::uint32_t rank = 0;   // of the place that was hit
     float distance = 0;       // m
     Rgb radiance{0.0F};
+    bool close = false;  // one of four rays into the cell
 };
 
 // What a cell's ray met.
@@ -83,8 +88,8 @@ class Surroundings {
     // Table cells in which something was nearer than that, m.
     [[nodiscard]] TableCellSet near_cells(float distance) const;
 
-    // Into a fixed direction of each of their cells, as far as their reach; Met::cell: of the table. Points that are
-    // neighbours send parallel rays together.
+    // Into a fixed direction of each of their cells, or into four of close ones, as far as their reach; Met::cell: of
+    // the table. Points that are neighbours send parallel rays together.
     void look_near(std::span<const NearPoint> points);
 
   private:
@@ -97,6 +102,7 @@ class Surroundings {
     struct Direction {
         std::uint32_t cell = 0;
         Vec3 direction{0.0F};
+        bool close = false;
     };
     // Of the site's cells, of their children, and of the table's cells, neighbours next to one another: their rays take
     // similar ways.

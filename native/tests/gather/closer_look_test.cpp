@@ -17,22 +17,25 @@
 namespace gg::test {
 namespace {
 
-// A dark room, and around its middle 40 bright panels of 0.1 m, 2 m away, each of which is met by no ray or by one.
+// A dark room, and around its middle 40 bright panels of 0.1 m, 2 m away, each of which is met by no ray or by one; or
+// larger ones.
 struct Panels {
-    static SceneDescription describe() {
+    explicit Panels(float size = 0.1F) : prepared(describe(size)) {}
+
+    static SceneDescription describe(float size) {
         SceneBuilder builder;
         const std::uint32_t dark = builder.material(Rgb(0), Rgb(0.01F)), bright = builder.material(Rgb(0), Rgb(100));
         builder.box({-3, -3, -3}, {3, 3, 3}, {dark, dark, dark, dark, dark, dark}, true);
         const Sequence4 sequence(3);
         for (std::uint32_t k = 0; k < 40; ++k) {
             const Vec3 to = cell_direction(sky_roots()[k % 2], sequence(k, 0), sequence(k, 1));
-            const Vec3 side = 0.05F * normalize_or_zero(cross(to, Vec3(0.6F, 0, 0.8F))), up = cross(to, side);
+            const Vec3 side = size / 2 * normalize_or_zero(cross(to, Vec3(0.6F, 0, 0.8F))), up = cross(to, side);
             builder.quad(2.0F * to - side - up, 2.0F * to - side + up, 2.0F * to + side + up, 2.0F * to + side - up,
                          bright);
         }
         return builder.description;
     }
-    Prepared prepared{describe()};
+    Prepared prepared;
     std::shared_ptr<const Solution> solution = prepared.solve();
     NodeOrder order{hierarchy_of(*solution)};
     Surroundings surroundings{*solution, order, *prepared.tracer};
@@ -160,6 +163,57 @@ TEST(CloserLook, sites_look_closer) {
     };
     EXPECT_GT(closer(0.2F), 8 * 4 * kSiteCells / kTableCells);
     EXPECT_EQ(closer(100), 0U);
+}
+
+// Outside of close cells, one ray into every cell leaves no larger error than was allowed; that is so with few cells.
+TEST(CloseCells, are_where_what_is_near_differs) {
+    Panels scene(0.6F);
+    const Receiver receiver{Vec3(0), {0, 0, 1}, {0, 0, 1}, kNone, 0.5F, 1};
+    const Receiver turned{Vec3(0), {0, 0, -1}, {0, 0, -1}, kNone, 0.5F, 1};
+    const std::array<Receiver, 2> both{receiver, turned};
+    const Reach reach{7, 8};
+    Surroundings& around = scene.surroundings;
+    around.look_from(both);
+    DirectionTable table;
+    around.add_to(table, {}, reach);
+    std::array<double, kTableCells> variances{};
+    double all = 0;
+    for (std::uint32_t c = 0; c < kTableCells; ++c) {
+        constexpr std::uint32_t kRays = 400;
+        const Sequence4 sequence(7);
+        double sum = 0, squared = 0;
+        for (std::uint32_t k = 0; k < kRays; ++k) {
+            const Vec3 direction = cell_direction(table_cell(c), sequence(k, 0), sequence(k, 1));
+            const Hit hit = scene.prepared.tracer->closest_hit({Vec3(0), direction, 0, kInfinity}, RayMask::kLight);
+            const bool back = dot(world_area_vector(hierarchy_of(*scene.solution).scene(), hit.instance, hit.triangle),
+                                  direction) > 0;
+            const auto light = static_cast<double>(kTableSolidAngle / kPi *
+                                                   luminance(lit_place(*scene.solution, hit, back).radiosity));
+            sum += light / kRays;
+            squared += light * light / kRays;
+        }
+        variances[c] = squared - sum * sum;
+        all += variances[c];
+    }
+    std::size_t previous = 0;
+    for (const double share : {0.5, 0.2, 0.05}) {
+        const auto error = static_cast<float>(std::sqrt(share * all));
+        const TableCellSet cells = worth_close_cells(around, {}, table, reach, error);
+        double rest = 0;
+        for (std::uint32_t c = 0; c < kTableCells; ++c) {
+            rest += cells[c] ? 0 : variances[c];
+        }
+        EXPECT_LT(rest, 1.4 * share * all) << share;
+        EXPECT_GT(rest, 0.5 * share * all) << share;
+        EXPECT_GT(cells.count(), previous);
+        EXPECT_EQ((cells & around.near_cells(reach.none)), cells);
+        previous = cells.count();
+    }
+    EXPECT_TRUE(worth_close_cells(around, {}, table, reach, 1e9F).none());
+    EXPECT_TRUE(worth_close_cells(around, {}, table, {1, 1.5F}, 1e-6F).none());  // nothing is that near
+    std::vector<RankRange> everything{{0, kNone}};
+    DirectionTable empty;
+    EXPECT_TRUE(worth_close_cells(around, everything, empty, reach, 1e-6F).none());
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ constexpr std::size_t kPoints = 300;
 
 // What the sites of all points hold.
 struct Holds {
-    std::size_t both = 0, only_visibility = 0, only_form_factor = 0, beams = 0, leaves = 0, near_cells = 0;
+    std::size_t both = 0, only_visibility = 0, only_form_factor = 0, beams = 0, leaves = 0, near_cells = 0,
+                close_cells = 0;
 
     void add(const Site& site) {
         for (const SiteSender& sender : site.senders) {
@@ -26,6 +27,7 @@ struct Holds {
         beams += site.beams.size();
         leaves += site.leaves.size();
         near_cells += site.near_cells.count();
+        close_cells += site.close_cells.count();
     }
 };
 
@@ -77,6 +79,7 @@ TEST(SiteIrradiance, of_the_default_is_that_of_its_rays) {
     EXPECT_GT(mixed.beams, 100U);
     EXPECT_GT(window.leaves, 10'000U);
     EXPECT_GT(jungle.near_cells, 10'000U);
+    EXPECT_GT(jungle.close_cells, 500U);
 }
 
 }  // namespace

@@ -109,6 +109,28 @@ TEST(Surroundings, near_rays_end_at_their_reach) {
     EXPECT_EQ(room.surroundings.ray_count(), 0U);
 }
 
+TEST(Surroundings, close_cells_have_a_ray_into_each_quarter) {
+    for (std::uint32_t cell = 0; cell < kTableCells; ++cell) {
+        const auto parts = children(table_cell(cell));
+        const auto directions = close_directions(cell);
+        for (std::size_t k = 0; k < parts.size(); ++k) {
+            EXPECT_TRUE(contains(parts[k], finest_cell_at(directions[k]))) << cell << " " << k;
+        }
+    }
+    Around room;
+    NearPoint point{room.floor.position, room.floor.normal, {}, 10};
+    point.close_cells.set(3);
+    point.cells.set(7);
+    room.surroundings.look_near(std::span(&point, 1));
+    std::array<int, 2> close{}, single{};
+    for (const Met& met : room.surroundings.met()) {
+        ++(met.close ? close : single)[met.cell == 3 ? 0 : 1];
+    }
+    EXPECT_EQ(room.surroundings.ray_count(), 5U);
+    EXPECT_EQ(close, (std::array<int, 2>{4, 0}));
+    EXPECT_EQ(single, (std::array<int, 2>{0, 1}));
+}
+
 TEST(Reach, falls_from_near_to_far) {
     const Reach reach{1, 2};
     EXPECT_EQ(reach.nearness(0.5F), 1);

@@ -192,27 +192,38 @@ class Evaluation {
             const Vec3d far = cosine * Vec3d(site.table.at(cell));
             const SkyCell place = table_cell(cell);
             const bool by_the_other = in_pairs && (place.i + place.j) % 2 != 0;
-            const Vec3 direction = near_direction(by_the_other ? cell ^ 1U : cell);
-            if (!site.near_cells[cell] || !(dot(direction, placed_.at.normal) > 0)) {
-                sum += far;
-                continue;
+            std::vector<Vec3> directions{near_direction(by_the_other ? cell ^ 1U : cell)};
+            if (site.close_cells[cell] && !in_pairs) {
+                const auto four = close_directions(cell);
+                directions.assign(four.begin(), four.end());
             }
-            const Hit hit = scene_.tracer.closest_hit({x_, direction, 0, kInfinity}, RayMask::kLight);
-            SiteRay ray{RayKind::kNear, cell, 0, kNone, 0};
-            Vec3d light = far;
-            if (!hit.missed()) {
-                const double nearness = static_cast<double>(site.reach.nearness(hit.distance));
-                const Vec3 front = world_area_vector(hierarchy_.scene(), hit.instance, hit.triangle);
-                const LitPlace lit = lit_place(scene_.solution, hit, dot(front, direction) > 0);
-                const Vec3d radiance(is_apart(site, lit.place) ? Rgb(0.0F) : lit.radiosity / kPi);
-                light += nearness * (cosine * static_cast<double>(kTableSolidAngle) * radiance - far);
-                ray.met = static_cast<std::uint32_t>(hash64(hash64(hit.instance, hit.triangle), lit.place) >> 33);
-                ray.light = weight_ * (luminance_of(light) - luminance_of(far));
+            const bool close = directions.size() > 1;
+            const double share = 1 / static_cast<double>(directions.size());
+            for (std::uint32_t k = 0; k < directions.size(); ++k) {
+                const bool sent = site.near_cells[cell] && dot(directions[k], placed_.at.normal) > 0;
+                const std::uint32_t id = close ? kTableCells + 4 * cell + k : cell;
+                sum += sent ? of_near_ray(site, id, directions[k], share * cosine, share * far) : share * far;
             }
-            sum += light;
-            record(ray);
         }
         return sum;
+    }
+
+    // far: what the site says.
+    [[nodiscard]] Vec3d of_near_ray(const Site& site, std::uint32_t id, Vec3 direction, double cosine, Vec3d far) {
+        const Hit hit = scene_.tracer.closest_hit({x_, direction, 0, kInfinity}, RayMask::kLight);
+        SiteRay ray{RayKind::kNear, id, 0, kNone, 0};
+        Vec3d light = far;
+        if (!hit.missed()) {
+            const double nearness = static_cast<double>(site.reach.nearness(hit.distance));
+            const Vec3 front = world_area_vector(hierarchy_.scene(), hit.instance, hit.triangle);
+            const LitPlace lit = lit_place(scene_.solution, hit, dot(front, direction) > 0);
+            const Vec3d radiance(is_apart(site, lit.place) ? Rgb(0.0F) : lit.radiosity / kPi);
+            light += nearness * (cosine * static_cast<double>(kTableSolidAngle) * radiance - far);
+            ray.met = static_cast<std::uint32_t>(hash64(hash64(hit.instance, hit.triangle), lit.place) >> 33);
+            ray.light = weight_ * (luminance_of(light) - luminance_of(far));
+        }
+        record(ray);
+        return light;
     }
 
     const ShadedScene& scene_;

@@ -21,7 +21,7 @@ enum class RayKind : std::uint8_t { kSender, kSky, kNear };
 // What one ray contributed to the light of a point.
 struct SiteRay {
     RayKind kind = RayKind::kSender;
-    std::uint32_t id = 0, index = 0;  // sender and number of its point; leaf; cell of the table
+    std::uint32_t id = 0, index = 0;  // sender and number of its point; leaf; cell of the table or of its parts
     std::uint32_t met = kNone;        // kNone: nothing; near: a number of the triangle and its element; else 0
     double light = 0;  // luminance, W/m2: what it changes or, to senders and the sky, brings if it meets nothing
 };
