@@ -211,9 +211,11 @@ TEST(CloseCells, are_where_what_is_near_differs) {
     }
     EXPECT_TRUE(worth_close_cells(around, {}, table, reach, 1e9F).none());
     EXPECT_TRUE(worth_close_cells(around, {}, table, {1, 1.5F}, 1e-6F).none());  // nothing is that near
-    std::vector<RankRange> everything{{0, kNone}};
-    DirectionTable empty;
-    EXPECT_TRUE(worth_close_cells(around, everything, empty, reach, 1e-6F).none());
+    // Senders by themselves: all rays say the same, that what the table has is too much.
+    const std::array<RankRange, 1> everything{RankRange{0, kNone}};
+    DirectionTable even;
+    even.red.fill(1);
+    EXPECT_TRUE(worth_close_cells(around, everything, even, reach, 1e-3F).none());
 }
 
 }  // namespace
