@@ -156,8 +156,8 @@ void Shader::add_near_light(std::span<const PlacedFragment> fragments) {
             const bool small = fragments[met.point].at.share < kSmallShare;
             const auto replace = [&](std::uint32_t cell) {
                 if (site.near_cells[cell] && met.close == (site.close_cells[cell] && !small)) {
-                    points_[met.point].light.soft +=
-                        (met.close ? 0.25F : 1) * near * cosines_[met.point].of[cell] * (light - site.table.at(cell));
+                    points_[met.point].light.soft += (met.close ? 1.0F / kCloseRays : 1) * near *
+                                                     cosines_[met.point].of[cell] * (light - site.table.at(cell));
                 }
             };
             replace(met.cell);

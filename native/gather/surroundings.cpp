@@ -36,12 +36,12 @@ Vec3 near_direction(std::uint32_t index) {
     return cell_direction(table_cell(index), places(index, 0), places(index, 1));
 }
 
-std::array<Vec3, 4> close_directions(std::uint32_t index) {
+std::array<Vec3, kCloseRays> close_directions(std::uint32_t index) {
     const Sequence4 places(kCloseSeed);
     const auto parts = children(table_cell(index));
-    std::array<Vec3, 4> directions;
+    std::array<Vec3, kCloseRays> directions;
     for (std::uint32_t k = 0; k < parts.size(); ++k) {
-        directions[k] = cell_direction(parts[k], places(4 * index + k, 0), places(4 * index + k, 1));
+        directions[k] = cell_direction(parts[k], places(kCloseRays * index + k, 0), places(kCloseRays * index + k, 1));
     }
     return directions;
 }
@@ -53,8 +53,8 @@ Surroundings::Surroundings(const Solution& solution, const NodeOrder& order, con
         const std::uint32_t c = site_index(cell);
         site_directions_.push_back({c, cell_direction(cell, sites(c, 0), sites(c, 1))});
         for (const SkyCell child : children(cell)) {
-            const auto place = static_cast<std::uint32_t>(kSiteCells + close_directions_.size());
-            close_directions_.push_back({c, cell_direction(child, sites(place, 0), sites(place, 1))});
+            const auto place = static_cast<std::uint32_t>(kSiteCells + closer_directions_.size());
+            closer_directions_.push_back({c, cell_direction(child, sites(place, 0), sites(place, 1))});
         }
     }
     for (const SkyCell cell : in_squares(kTableLevel)) {
@@ -89,7 +89,7 @@ void Surroundings::look_from(std::span<const Receiver> receivers) {
     met_.clear();
     seen_.assign(kSiteCells, Seen::kNothing);
     ReceiverTurns turns(receivers);
-    for (const auto& [cell, direction, is_close] : site_directions_) {
+    for (const auto& [cell, direction, close] : site_directions_) {
         if (const Receiver* receiver = turns.next(direction)) {
             rays_.push_back({receiver->position, direction, 0, kInfinity});
             origins_.push_back({0, cell});
@@ -105,7 +105,7 @@ void Surroundings::look_from(std::span<const Receiver> receivers) {
 void Surroundings::look_closer(std::span<const Receiver> receivers, const TableCellSet& cells) {
     const std::size_t first = rays_.size();
     ReceiverTurns turns(receivers);
-    for (const auto& [cell, direction, close] : close_directions_) {
+    for (const auto& [cell, direction, close] : closer_directions_) {
         if (cells[table_index(site_cell(cell))]) {
             if (const Receiver* receiver = turns.next(direction)) {
                 rays_.push_back({receiver->position, direction, 0, kInfinity});

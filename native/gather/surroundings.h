@@ -29,7 +29,8 @@ inline constexpr std::uint32_t kSiteSide = 1U << kSiteLevel, kSiteCells = 2 * kS
 
 // In which the table's cell of that index is looked into for what is near, and four where that is looked at closely.
 [[nodiscard]] Vec3 near_direction(std::uint32_t index);
-[[nodiscard]] std::array<Vec3, 4> close_directions(std::uint32_t index);
+inline constexpr std::uint32_t kCloseRays = 4;
+[[nodiscard]] std::array<Vec3, kCloseRays> close_directions(std::uint32_t index);
 
 // Distances [m] up to which surfaces are looked for at every point.
 struct Reach {
@@ -106,7 +107,7 @@ class Surroundings {
     };
     // Of the site's cells, of their children, and of the table's cells, neighbours next to one another: their rays take
     // similar ways.
-    std::vector<Direction> site_directions_, close_directions_, near_directions_;
+    std::vector<Direction> site_directions_, closer_directions_, near_directions_;
     std::vector<Ray> rays_;
     std::vector<RayOrigin> origins_;  // per ray
     std::vector<Hit> hits_;
